@@ -41,6 +41,7 @@ enum Surface {
   kBottom,
   kTop,
   kHigh,
+  kThird,
   kNumSurfaces
 };
 using Sides = std::array<int, kNumSurfaces>;
@@ -55,7 +56,8 @@ std::array<Rational, kNumSurfaces> values_at(const ExactPoint& p) {
           p[2],
           p[2] + one,
           p[2] - one,
-          p[2] - Rational(2)};
+          p[2] - Rational(2),
+          p[2] - ratio(1, 3)};
 }
 ExactPoint gradient_at(int surface, const ExactPoint& p) {
   switch (surface) {
@@ -73,11 +75,15 @@ ExactPoint cross_product(const ExactPoint& a, const ExactPoint& b) {
 
 // ---- solids
 
+// The level z = 1/3, where the sphere has points at irrational parameters of its octants.
+constexpr int kThirdLevel = 5;
+Rational height_of(int level) { return level == kThirdLevel ? ratio(1, 3) : Rational(level); }
+
 // Between two levels of z, on one side of a round surface, or of none, with x, y and z of given signs (0: any).
 struct Solid {
   std::optional<Surface> round;
   Signs signs{};
-  int bottom = -3, top = 3;  // levels; -1, 0, 1 and 2 are surfaces
+  int bottom = -3, top = 3;  // levels; -1, 0, 1, 2 and kThirdLevel are surfaces
   std::string name;
   Patches patches;
 
@@ -91,6 +97,7 @@ struct Solid {
         case 0: return s[kPlaneZ];
         case 1: return s[kTop];
         case 2: return s[kHigh];
+        case kThirdLevel: return s[kThird];
         default: return level < 0 ? 1 : -1;
       }
     };
@@ -101,8 +108,10 @@ struct Solid {
     if (surface >= kPlaneX && surface <= kPlaneZ &&
         signs[static_cast<std::size_t>(surface - kPlaneX)] != 0)
       return true;
-    const int level = surface == kBottom ? -1 : surface == kPlaneZ ? 0 : surface == kTop ? 1 : 2;
-    return surface >= kPlaneZ && (bottom == level || top == level);
+    constexpr int kLevelOf[] = {0, -1, 1, 2, kThirdLevel};
+    if (surface < kPlaneZ) return false;
+    const int level = kLevelOf[surface - kPlaneZ];
+    return bottom == level || top == level;
   }
 };
 
@@ -114,7 +123,8 @@ Signs random_signs(Random& random, int axes) {
 }
 
 Solid random_solid(Random& random) {
-  constexpr int kLevels[][2] = {{-1, 0}, {0, 1}, {1, 2}, {-1, 1}, {0, 2}, {-3, 3}, {-3, 0}, {1, 3}};
+  constexpr int kLevels[][2] = {{-1, 0}, {0, 1},  {1, 2}, {-1, 1},          {0, 2},
+                                {-3, 3}, {-3, 0}, {1, 3}, {0, kThirdLevel}, {kThirdLevel, 1}};
   Solid out;
   const std::uint64_t kind = random.below(4);
   if (kind == 0) {
@@ -132,17 +142,18 @@ Solid random_solid(Random& random) {
     const auto end = [&](std::size_t k, int level) {
       return out.signs[k] == (level < 0 ? 1 : -1) ? Rational(0) : Rational(level);
     };
-    out.patches = patch_shapes::box({end(0, -3), end(1, -3), Rational(out.bottom)},
-                                    {end(0, 3), end(1, 3), Rational(out.top)});
+    out.patches = patch_shapes::box({end(0, -3), end(1, -3), height_of(out.bottom)},
+                                    {end(0, 3), end(1, 3), height_of(out.top)});
     return out;
   }
   out.round = kind == 2 ? kCylinder : kBore;
-  const Rational radius = kind == 2 ? Rational(1) : ratio(3, 5), height(out.top - out.bottom);
+  const Rational radius = kind == 2 ? Rational(1) : ratio(3, 5),
+                 height = height_of(out.top) - height_of(out.bottom);
   const Patches whole = patch_shapes::disc_cylinder(height / radius);
   out.patches =
       patch_shapes::placed(patch_shapes::coned(patch_shapes::patches_with_signs(whole, out.signs),
                                                {0, 0, height / radius / Rational(2)}),
-                           radius, {0, 0, out.bottom});
+                           radius, {0, 0, height_of(out.bottom)});
   return out;
 }
 
@@ -202,7 +213,7 @@ class Places {
 
   ExactPoint place() {
     const auto [c, s] = on_circle();
-    switch (random_.below(8)) {
+    switch (random_.below(11)) {
       case 0: return {0, 0, level()};
       case 1: {  // on the sphere, at rational parameters of its octants
         const auto [rho, z] = on_circle();
@@ -219,6 +230,19 @@ class Places {
       case 4: return {c, s, level()};
       case 5: return {ratio(3, 5) * c, ratio(3, 5) * s, level()};
       case 6: return {part(), part(), level()};
+      case 8: {  // on the sphere at z = 1/3
+        const Rational d = ratio(2, 3);
+        return {d * (c - s), d * (c + s), ratio(1, 3)};
+      }
+      case 7: {  // on the sphere, mostly at irrational parameters; on levels, too
+        const auto any = [&] {
+          return ratio(static_cast<std::int64_t>(random_.below(13)) - 6,
+                       1 + static_cast<std::int64_t>(random_.below(6)));
+        };
+        const Rational a = any(), b = any(), one(1), square = a * a + b * b;
+        return {(a + a) / (one + square), (b + b) / (one + square),
+                (one - square) / (one + square)};
+      }
       default: {
         ExactPoint out{part(), part(), level()};
         out[random_.below(3)] = 0;

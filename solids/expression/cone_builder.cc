@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "solids/expression/enclosed_place_internal.h"
+
 namespace veritope::internal {
 namespace {
 
@@ -229,6 +231,17 @@ bool ConeBuilder::add_pole(const Patch& patch, std::uint32_t number, std::uint32
     sheet.rims = {i == 0 ? rim_along(patch, after, 0) : cut,
                   i + 1 == parts.size() ? rim_along(patch, side_before(patch, side), 1) : cut};
   }
+  return true;
+}
+
+bool ConeBuilder::add_enclosed_interior(const Patch& patch, std::uint32_t number,
+                                        const std::array<ExactInterval, 2>& at) {
+  ConeSheet sheet;
+  sheet.number = number;
+  sheet.is_flat = out_.is_flat = false;
+  sheet.patch = &patch;
+  out_.sheets.push_back(std::move(sheet));
+  out_.enclosure = {at, normal_enclosure(patch, at)};
   return true;
 }
 

@@ -17,6 +17,9 @@ class ConeBuilder {
   /// The apex is a collapsed side: adds the sectors that the next row of control points spans with it, if they all are
   /// in one plane, and turn around the apex in one direction.
   bool add_pole(const Patch& patch, std::uint32_t number, std::uint32_t side);
+  /// At irrational parameters: the boxes that hold the place, of a patch that is not flat, and the normal there.
+  bool add_enclosed_interior(const Patch& patch, std::uint32_t number,
+                             const std::array<ExactInterval, 2>& at);
   /// Places whose parameters are irrational: of flat patches and straight sides only.
   bool add_flat_interior(const Patch& patch, std::uint32_t number);
   bool add_flat_side(const Patch& patch, std::uint32_t number, std::uint32_t side);

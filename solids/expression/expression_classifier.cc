@@ -8,6 +8,7 @@
 #include "solids/expression/contacts.h"
 #include "solids/expression/decision_diagram.h"
 #include "solids/expression/directions.h"
+#include "solids/expression/enclosed_walls_internal.h"
 
 namespace veritope {
 namespace {
@@ -93,6 +94,19 @@ PointWord ExpressionClassifier::on_walls(const ExactPoint& point, const Formula&
     if (diagram) return diagram->value(bit_of);
     return rest.value([&](std::uint32_t v) { return to_value(bit_of(v)); }) == Value3::kOne;
   };
+  if (const auto enclosed = std::find_if(
+          cones.begin(), cones.end(), [](const TangentCone& c) { return c.enclosure.has_value(); });
+      enclosed != cones.end()) {
+    switch (internal::values_near(cones, f)) {
+      case internal::ValuesNear::kOnlyZero: return PointWord::kOut;
+      case internal::ValuesNear::kOnlyOne: return PointWord::kIn;
+      case internal::ValuesNear::kBoth: return PointWord::kOn;
+      case internal::ValuesNear::kUnknown: break;
+    }
+    return open({OpenWord::Reason::kDirections,
+                 {variables[static_cast<std::size_t>(enclosed - cones.begin())]},
+                 {}});
+  }
   const std::optional<bool> value = common_value(cones, f);
   if (!value) return PointWord::kOn;
   if (are_flat) return word_of(*value);

@@ -3,6 +3,7 @@
 
 #include "robust/base/check.h"
 #include "solids/expression/cone_builder_internal.h"
+#include "solids/expression/enclosed_place_internal.h"
 
 namespace veritope {
 namespace {
@@ -54,10 +55,13 @@ std::optional<TangentCone> PatchCones::at(const OnPatch& where) const {
   internal::ConeBuilder cone;
   const bool is_corner_of_triangle = patch.is_triangle() && equals(u, 0);
   if (sides.empty()) {
-    const bool is_known = u.is_rational() && v.is_rational();
-    if (!(is_known ? cone.add_interior(patch, where.patch, *domain_place(patch, where.parameters))
-                   : cone.add_flat_interior(patch, where.patch)))
-      return std::nullopt;
+    const auto place = domain_place(patch, where.parameters);
+    const bool is_added =
+        place ? cone.add_interior(patch, where.patch, *place)
+              : cone.add_flat_interior(patch, where.patch) ||
+                    cone.add_enclosed_interior(patch, where.patch,
+                                               internal::domain_enclosure(patch, where.parameters));
+    if (!is_added) return std::nullopt;
     return cone.take();
   }
   const bool is_on_side = sides.size() == 1 && !is_corner_of_triangle;

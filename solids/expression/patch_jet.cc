@@ -65,6 +65,7 @@ Vector crossed(const Vector& a, const Vector& b) {
 Rational dotted(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
+Rational rounded_down(const Rational& x) { return floor_divide(x.numerator(), x.denominator()); }
 bool is_zero(const Vector& a) { return a[0].sign() == 0 && a[1].sign() == 0 && a[2].sign() == 0; }
 
 std::vector<Rational> homogeneous_at(const Patch& patch, const DomainPlace& at) {
@@ -72,17 +73,19 @@ std::vector<Rational> homogeneous_at(const Patch& patch, const DomainPlace& at) 
                              : evaluate(patch.tensor(), at);
 }
 
+std::vector<Rational> homogeneous_derivative_at(const Patch& patch, std::size_t axis,
+                                                const DomainPlace& at) {
+  if (!patch.is_triangle()) return homogeneous_derivative(patch.tensor(), axis, at);
+  const Barycentric<Rational> along =
+      axis == 0 ? Barycentric<Rational>{-1, 1, 0} : Barycentric<Rational>{-1, 0, 1};
+  return evaluate(directional_derivative(patch.triangle(), along), barycentric(at));
+}
+
 PatchJet jet(const Patch& patch, const DomainPlace& at) {
   const std::vector<Rational> f = homogeneous_at(patch, at);
-  const auto derivative_along = [&](std::size_t axis) {
-    if (!patch.is_triangle()) return homogeneous_derivative(patch.tensor(), axis, at);
-    const Barycentric<Rational> along =
-        axis == 0 ? Barycentric<Rational>{-1, 1, 0} : Barycentric<Rational>{-1, 0, 1};
-    return evaluate(directional_derivative(patch.triangle(), along), barycentric(at));
-  };
-  return {
-      quotient_of(f),
-      {quotient_derivative(f, derivative_along(0)), quotient_derivative(f, derivative_along(1))}};
+  return {quotient_of(f),
+          {quotient_derivative(f, homogeneous_derivative_at(patch, 0, at)),
+           quotient_derivative(f, homogeneous_derivative_at(patch, 1, at))}};
 }
 
 CurveJet jet(const Patch::Curve& curve, const Rational& at) {

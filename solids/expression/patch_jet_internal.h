@@ -16,6 +16,7 @@ Vector negated(const Vector& a);
 Vector crossed(const Vector& a, const Vector& b);
 Rational dotted(const Vector& a, const Vector& b);
 bool is_zero(const Vector& a);
+Rational rounded_down(const Rational& x);
 
 /// A point of the domain of a patch: (u, v), or the barycentric coordinates of corners 1 and 2.
 using DomainPlace = std::array<Rational, 2>;
@@ -32,8 +33,10 @@ struct CurveJet {
 };
 CurveJet jet(const Patch::Curve& curve, const Rational& at);
 
-/// All components at a point, homogeneous if the patch is rational.
+/// All components at a point, homogeneous if the patch is rational; and their derivatives along an axis.
 std::vector<Rational> homogeneous_at(const Patch& patch, const DomainPlace& at);
+std::vector<Rational> homogeneous_derivative_at(const Patch& patch, std::size_t axis,
+                                                const DomainPlace& at);
 
 /// The point at t of a side, in its direction of travel.
 DomainPlace on_side(const Patch& patch, std::uint32_t side, const Rational& t);

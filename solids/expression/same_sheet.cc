@@ -89,6 +89,32 @@ DomainPlace beside_pole(const Patch& patch, std::uint32_t side, const Rational& 
   return {on[0] + depth * (to[0] - on[0]), on[1] + depth * (to[1] - on[1])};
 }
 
+bool is_inside_domain(const Patch& patch, const DomainPlace& at) {
+  if (at[0].sign() <= 0 || at[1].sign() <= 0) return false;
+  return patch.is_triangle() ? at[0] + at[1] < Rational(1)
+                             : at[0] < Rational(1) && at[1] < Rational(1);
+}
+
+// The middle of the cell of a grid that holds a corner of a box, if it is inside the domain.
+std::optional<DomainPlace> cell_middle(const Patch& patch, const std::array<ExactInterval, 2>& box,
+                                       int parts) {
+  DomainPlace out;
+  for (std::size_t k = 0; k < 2; ++k)
+    out[k] =
+        (rounded_down(box[k].lo * Rational(parts)) + Rational::power_of_two(-1)) / Rational(parts);
+  if (!is_inside_domain(patch, out)) return std::nullopt;
+  return out;
+}
+
+// Whether the image of a box is inside the domain: that of its corners is, and domains are convex.
+bool maps_inside(const AffineChange& change, const std::array<ExactInterval, 2>& box,
+                 const Patch& patch) {
+  for (const Rational& u : {box[0].lo, box[0].hi})
+    for (const Rational& v : {box[1].lo, box[1].hi})
+      if (!is_inside_domain(patch, change({u, v}))) return false;
+  return true;
+}
+
 // Where on its side a place is, if it is there.
 std::optional<Rational> place_on_side(const Patch& patch, std::uint32_t side,
                                       const DomainPlace& at) {
@@ -136,6 +162,25 @@ bool is_same_surface(const SheetOf& a, const SheetOf& b) {
   if (sa.pole) return is_same_at_poles(a, b) || is_same_at_poles(b, a);
   const auto change = change_between(*sa.patch, sa.at, *sb.patch, sb.at);
   return change && is_composition(*sb.patch, *sa.patch, *change);
+}
+
+int enclosed_tie(const TangentCone& a, const TangentCone& b) {
+  const Patch &pa = *a.sheets[0].patch, &pb = *b.sheets[0].patch;
+  if (&pa == &pb) return 1;
+  const auto& box = b.enclosure->at;
+  // A point of b that both have tells the change of parameters.
+  for (const int parts : {1, 2, 4, 8, 16, 64, 1024}) {
+    const std::optional<DomainPlace> near = cell_middle(pb, box, parts);
+    if (!near) continue;
+    const auto found = a.place_of(pa, jet(pb, *near).at);
+    if (!found) continue;
+    const auto change = change_between(pa, *found, pb, *near);
+    if (!change || !is_composition(pb, pa, *change)) return 0;
+    const auto& [x, y] = change->linear;
+    const Sign turn = (x[0] * y[1] - x[1] * y[0]).sign();
+    return maps_inside(*change, box, pa) ? to_int(turn) : 0;
+  }
+  return 0;
 }
 
 bool is_same_curve(const SheetRim& a, const SheetRim& b) {

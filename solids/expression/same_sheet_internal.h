@@ -19,6 +19,10 @@ struct SheetOf {
 /// @cost  two exact evaluations for each coefficient of their difference: 1 ms for bicubic patches
 bool is_same_surface(const SheetOf& a, const SheetOf& b);
 
+/// For patches at irrational parameters inside of both (TangentCone::enclosure): 1 if they are one map up to an affine
+/// change of parameters, with the solids on the same side; -1: on different sides; 0: neither is proved.
+int enclosed_tie(const TangentCone& a, const TangentCone& b);
+
 /// Whether the curves along two rims in one direction are one near the apex. REQUIRES rims that are not cuts.
 bool is_same_curve(const SheetRim& a, const SheetRim& b);
 /// Whether a curve lies in the plane of a sector, through the apex.

@@ -27,9 +27,9 @@ struct ConeSheet {
   bool is_flat = true;
   std::uint32_t number = 0;      ///< of the facet or patch
   const Patch* patch = nullptr;  ///< unless flat
-  /// The parameters of the apex: a point of the domain, or a collapsed side.
+  /// The parameters of the apex: a point of the domain, if it is regular and rational.
   std::array<Rational, 2> at;
-  std::optional<std::uint32_t> pole;
+  std::optional<std::uint32_t> pole;  ///< the collapsed side
   std::array<Rational, 2> pole_part;  ///< the part of that side whose directions the sector has
   std::array<SheetRim, 2> rims;  ///< along the first and the last ray of the sector, if it has rims
 };
@@ -39,9 +39,16 @@ struct ConeSheet {
 struct TangentCone {
   FlatCone sectors;
   std::vector<ConeSheet> sheets;  ///< of each sector
-  bool is_flat = true;        ///< near the point the boundary is the cone itself
-  /// The parameters at which a patch of this solid has a point, if that is found and rational. Set if a sheet has a
-  /// pole.
+  bool is_flat = true;            ///< near the point the boundary is the cone itself
+  /// Inside a patch at irrational parameters there is one sheet, and no sector but these boxes, which hold the
+  /// parameters and the normal.
+  struct Enclosure {
+    std::array<ExactInterval, 2> at;
+    std::array<ExactInterval, 3> normal;
+  };
+  std::optional<Enclosure> enclosure;
+  /// The parameters at which a patch of this solid has a point, if that is found and rational. Set by solids with
+  /// patches.
   std::function<std::optional<std::array<Rational, 2>>(const Patch&, const ExactPoint&)> place_of;
 };
 

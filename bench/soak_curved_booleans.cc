@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_curved_booleans.cc: --worlds N --points M --seed S : random expressions of parts of balls, cylinders, bores
-// and blocks that cross and abut, each cut into patches in one of several ways and mapped by a random affine map, and
-// points on their walls: where surfaces meet transversally, abut, and at poles. Truth by construction: a point lies on up
-// to three surfaces with independent normals, so that all sides of them occur near it, and a solid is known by them. Where
-// normals are dependent (contact) a word may be left open, and is compared with points nearby. One JSON line a figure.
+// bench/soak_curved_booleans.cc: --worlds N --points M --seed S : random expressions of parts of balls, cylinders,
+// bores and blocks that cross and abut, each cut into patches in one of several ways and mapped by a random affine map;
+// points on their walls: where surfaces meet transversally, abut, and at poles. Truth by construction: a point lies on
+// up to three surfaces with independent normals, so that all sides of them occur near it, and a solid is known by them.
+// Where normals are dependent (contact) a word may be left open, and is compared with points nearby. --first F starts
+// with world F. One JSON line a figure.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -84,7 +85,6 @@ struct Solid {
   std::optional<Surface> round;
   Signs signs{};
   int bottom = -3, top = 3;  // levels; -1, 0, 1, 2 and kThirdLevel are surfaces
-  std::string name;
   Patches patches;
 
   bool holds(const Sides& s) const {
@@ -157,7 +157,7 @@ Solid random_solid(Random& random) {
   return out;
 }
 
-// The same solid from other patches.
+// Other patches of one solid.
 Patches in_another_way(const Patches& patches, Random& random) {
   switch (random.below(6)) {
     case 0: return subdivided(patches);
@@ -359,12 +359,18 @@ struct Tally {
   double seconds = 0, slowest = 0;
 };
 
-void report_wrong(const char* what, std::uint64_t world, std::uint64_t seed, const Formula& f,
-                  const ExactPoint& p, PointWord word) {
+void report_wrong(const char* what, const World& world, std::uint64_t number, std::uint64_t seed,
+                  const Formula& f, const ExactPoint& p, PointWord word) {
   std::fprintf(stderr, "%s: world %llu of seed %llu, %s at %s %s %s: word %d\n", what,
-               static_cast<unsigned long long>(world), static_cast<unsigned long long>(seed),
+               static_cast<unsigned long long>(number), static_cast<unsigned long long>(seed),
                f.to_string().c_str(), p[0].to_string().c_str(), p[1].to_string().c_str(),
                p[2].to_string().c_str(), static_cast<int>(word));
+  for (const std::uint32_t v : f.variables()) {
+    const Solid& s = world.solids[v];
+    std::fprintf(stderr, "  x%u: surface %d, signs %d %d %d, levels %d to %d, %zu patches\n", v,
+                 s.round ? static_cast<int>(*s.round) : -1, s.signs[0], s.signs[1], s.signs[2],
+                 s.bottom, s.top, s.patches.size());
+  }
 }
 
 // Whether points near a contact tell that the word is wrong.
@@ -386,12 +392,14 @@ bool is_refuted(const Truth& truth, const ExactPoint& p, PointWord word, Random&
 int main(int argc, char** argv) {
   using namespace veritope;
   using namespace veritope::bench;
-  std::uint64_t worlds = 10, points = 400, seed = 1;
-  read_arguments(argc, argv, {{"--worlds", &worlds}, {"--points", &points}, {"--seed", &seed}});
+  std::uint64_t worlds = 10, points = 400, seed = 1, first = 0;
+  read_arguments(
+      argc, argv,
+      {{"--worlds", &worlds}, {"--points", &points}, {"--seed", &seed}, {"--first", &first}});
   Tally t;
   const Stopwatch all;
   constexpr std::uint64_t kPointsOfFormula = 20;
-  for (std::uint64_t w = 0; w < worlds; ++w) {
+  for (std::uint64_t w = first; w < first + worlds; ++w) {
     Random random(seed + 1000003 * w);
     const World world(random);
     for (std::uint64_t done = 0; done < points; done += kPointsOfFormula) {
@@ -413,7 +421,7 @@ int main(int argc, char** argv) {
           t.open_contacts += word == PointWord::kUndecided ? 1 : 0;
           if (word == PointWord::kUndecided || !is_refuted(truth, p, word, random)) continue;
           ++t.wrong;
-          report_wrong("wrong", w, seed, formula, p, word);
+          report_wrong("wrong", world, w, seed, formula, p, word);
           continue;
         }
         ++t.points;
@@ -421,8 +429,8 @@ int main(int argc, char** argv) {
         t.several += num_surfaces > 1 ? 1 : 0;
         if (word == *right) continue;
         ++(word == PointWord::kUndecided ? t.open : t.wrong);
-        report_wrong(word == PointWord::kUndecided ? "undecided" : "wrong", w, seed, formula, p,
-                     word);
+        report_wrong(word == PointWord::kUndecided ? "undecided" : "wrong", world, w, seed, formula,
+                     p, word);
       }
     }
     if (w % 20 == 19)

@@ -31,7 +31,7 @@ struct ClassifyOptions {
   std::vector<std::string> files;  // MODEL, POINTS
   std::optional<std::string> output, certificate, json;
   std::optional<Decimals> decimals;
-  bool winding = false, no_check = false, by_chain = false;
+  bool winding = false, no_check = false, by_chain = false, orient_auto = false;
   std::optional<ExactPoint> origin;
   int jobs = default_jobs();
 };
@@ -65,6 +65,7 @@ void declare(OptionSet& set, ClassifyOptions& o) {
       "--origin", "X,Y,Z",
       [&o](const std::string& t) { return take_origin(t, o.origin.emplace()); },
       "the chain's origin (0,0,0)");
+  declare_orientation(set, o.orient_auto, "faces, patches");
   declare_jobs(set, o.jobs);
   set.flag("--no-check", o.no_check, "do not run veritope-check");
   declare_format(set, o.input);
@@ -76,6 +77,8 @@ std::string contradiction(const ClassifyOptions& o) {
     return "--certificate needs -o with the name of a file, which the checker can read";
   if (o.certificate == "-") return "--certificate needs a file name, not -";
   if (o.by_chain && o.certificate) return "--certificate is not for --by normal";
+  if (o.orient_auto && o.winding)
+    return "--winding takes the orientation of the file: not with --orient auto";
   if (o.origin && !o.by_chain) return "--origin requires --by normal";
   if (o.json == "-" && (!o.output || *o.output == "-"))
     return "the answers and --json would both write standard output";
@@ -87,10 +90,15 @@ std::string contradiction(const ClassifyOptions& o) {
 // What was decided, and the surface.
 struct Model {
   ModelFile file;
-  std::optional<MeshShells> shells;  // of a mesh; nothing: --winding
-  FilePatches patches;               // of a file of splines
-  std::string no_certificate;        // why checkers do not read the model; empty if they do
+  std::optional<MeshShells> shells;     // of a mesh; nothing: --winding
+  FilePatches patches;                  // of a file of splines
+  std::vector<std::uint64_t> reversed;  // entities of such a file
+  std::string no_certificate;           // why checkers do not read the model; empty if they do
 };
+
+constexpr const char* kIsReversed =
+    "the model is taken with reversed faces, and checkers count winding numbers around the faces "
+    "of the file";
 
 class ClassifyRun {
  public:
@@ -119,6 +127,7 @@ class ClassifyRun {
     for (const auto& [option, is_given] :
          {std::pair("--winding", options_.winding),
           std::pair("--certificate", options_.certificate.has_value()),
+          std::pair("--orient auto", options_.orient_auto),
           std::pair("--by normal", options_.by_chain)})
       if (is_given)
         return complain(std::string(option) + " is for models, and " + harmless(path()) +
@@ -144,8 +153,9 @@ class ClassifyRun {
     const ExitCode exit =
         with_answers(decimals, [&](PointSource& source, const WriteAnswers& write) {
           progress_.phase(shown_path(path()), "classifying");
-          const Status status = classify_points(
-              classifier, operands.solid_names(), source, static_cast<unsigned>(options_.jobs), write, report_);
+          const Status status =
+              classify_points(classifier, operands.solid_names(), source,
+                              static_cast<unsigned>(options_.jobs), write, report_);
           report_.seconds_classify = watch.lap();
           return status;
         });
@@ -229,6 +239,10 @@ class ClassifyRun {
     Result<FilePatches> patches = patches_of(file, *stand_in);
     if (!patches) return refuse(patches.error());
     model_.patches = std::move(*patches);
+    if (!model_.reversed.empty()) {
+      reverse_entities(model_.patches, model_.reversed);
+      model_.no_certificate = kIsReversed;
+    }
     const PatchComplex* const complex = model_.patches.complex.get();
     if (complex != nullptr) return check_closed(*complex);
     complain(harmless(path() + ": " + text_of(*model_.patches.not_covered)));
@@ -260,6 +274,7 @@ class ClassifyRun {
     CertifySettings settings = certify_settings();
     settings.model = &model_.file;
     settings.model_bytes = &model_bytes_;
+    if (options_.orient_auto) settings.certify.orientation = PatchOrientation::kAuto;
     const CertifiedFile done = certify_file(path(), settings, {}, progress_);
     progress_.clear();
     report_.verdict = done.report.verdict;
@@ -269,8 +284,20 @@ class ClassifyRun {
       complain("no points are classified: " + line);
       return done.report.exit;
     }
-    if (const auto* facts = std::get_if<MeshFacts>(&done.report.facts)) set_shells(*facts);
+    if (const auto* facts = std::get_if<MeshFacts>(&done.report.facts)) {
+      if (facts->reversal) reverse_faces(facts->reversal->is_reversed);
+      set_shells(*facts);
+    }
+    if (const auto* facts = std::get_if<PatchFacts>(&done.report.facts))
+      model_.reversed = facts->reversed;
     return kExitValid;
+  }
+
+  void reverse_faces(const std::vector<bool>& is_reversed) {
+    TriangleMesh& mesh = std::get<MeshFile>(model_.file).mesh;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+      if (is_reversed[f]) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    model_.no_certificate = kIsReversed;
   }
 
   void set_shells(const MeshFacts& facts) {

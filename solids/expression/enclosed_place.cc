@@ -61,9 +61,9 @@ std::array<ExactInterval, 2> domain_enclosure(const Patch& patch, const Algebrai
   return {product(u, difference({1, 1}, v)), product(u, v)};
 }
 
-// Of a component of degree n (along each axis of a square) with coefficients of at most c, derivatives are at most 2 n c,
-// second ones 4 n^2 c. So within r of the middle along both axes a value changes by at most 4 n c r, a derivative by
-// 8 n^2 c r.
+// A component of degree n (along each axis of a square) with coefficients of at most c has derivatives of at most 2 n c
+// and second ones of at most 4 n^2 c. So within r of the middle along both axes a value changes by at most 4 n c r, a
+// derivative by 8 n^2 c r.
 std::array<ExactInterval, 3> normal_enclosure(const Patch& patch,
                                               const std::array<ExactInterval, 2>& at) {
   const Rational half = Rational::power_of_two(-1),

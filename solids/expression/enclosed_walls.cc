@@ -2,6 +2,7 @@
 #include "solids/expression/enclosed_walls_internal.h"
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include "solids/expression/enclosed_place_internal.h"
@@ -13,55 +14,98 @@ namespace {
 
 constexpr std::size_t kMostSurfaces = 12, kMostNormals = 12;
 
-// Cones in classes of one surface: the bit of each is that of the class, or the other one.
-struct Ties {
-  std::vector<std::size_t> class_of;
-  std::vector<bool> is_opposite;
-  std::size_t num_classes = 0;
-
-  explicit Ties(std::span<const TangentCone> cones)
-      : class_of(cones.size()), is_opposite(cones.size()) {
-    std::vector<std::size_t> first;
+// The cones with an enclosure, in classes of one surface: the bit of each is that of its class, or the other one.
+class Ties {
+ public:
+  explicit Ties(std::span<const TangentCone> cones) {
     for (std::size_t i = 0; i < cones.size(); ++i) {
+      if (!cones[i].enclosure) continue;
+      std::size_t c = 0;
       int tie = 0;
-      class_of[i] = first.size();
-      for (std::size_t c = 0; c < first.size() && tie == 0; ++c) {
-        tie = tie_of(cones[first[c]], cones[i]);
-        if (tie != 0) class_of[i] = c;
-      }
-      is_opposite[i] = tie < 0;
-      if (tie == 0) first.push_back(i);
+      for (; c < first_.size(); ++c)
+        if ((tie = tie_of(cones[first_[c]], cones[i])) != 0) break;
+      if (tie == 0) first_.push_back(i);
+      members_.push_back({i, c, tie < 0});
     }
-    num_classes = first.size();
+  }
+
+  std::size_t size() const { return first_.size(); }
+  /// Sets the bits of all members.
+  void set(std::uint32_t pattern, NearbyBits& bits) const {
+    for (const Member& m : members_)
+      bits[m.cone] = ((pattern >> m.number & 1) != 0) != m.is_opposite;
   }
 
  private:
+  struct Member {
+    std::size_t cone, number;
+    bool is_opposite;
+  };
   // The search for a common point is not symmetric.
   static int tie_of(const TangentCone& a, const TangentCone& b) {
-    if (!a.enclosure || !b.enclosure) return 0;
     const int tie = enclosed_tie(a, b);
     return tie != 0 ? tie : enclosed_tie(b, a);
   }
+
+  std::vector<std::size_t> first_;  // of each class
+  std::vector<Member> members_;
 };
 
-// Over all bits of the classes.
-ValuesNear values_of_patterns(const Ties& ties, const NearbyFunction& f) {
-  if (ties.num_classes > kMostSurfaces) return ValuesNear::kUnknown;
-  const std::uint32_t count = std::uint32_t{1} << ties.num_classes;
-  std::vector<bool> values(count);
-  NearbyBits bits(ties.class_of.size());
-  for (std::uint32_t pattern = 0; pattern < count; ++pattern) {
-    for (std::size_t i = 0; i < bits.size(); ++i)
-      bits[i] = ((pattern >> ties.class_of[i] & 1) != 0) != ties.is_opposite[i];
-    values[pattern] = f(bits);
+// The patterns of bits that the cones with sectors may have near the apex: if they are flat, those that they have;
+// otherwise all. Others are 0.
+std::vector<NearbyBits> patterns_of_sectors(std::span<const TangentCone> cones) {
+  std::vector<TangentCone> exact;
+  std::vector<std::size_t> number;
+  bool are_flat = true;
+  for (std::size_t i = 0; i < cones.size(); ++i)
+    if (!cones[i].enclosure) {
+      exact.push_back(cones[i]);
+      number.push_back(i);
+      are_flat = are_flat && cones[i].is_flat;
+    }
+  std::set<NearbyBits> found;
+  if (exact.empty() || are_flat) {
+    if (exact.empty()) found.insert(NearbyBits());
+    // A function of one value: all cells are visited.
+    common_value(exact, [&](const NearbyBits& bits) { return found.insert(bits), false; });
+  } else if (exact.size() <= kMostSurfaces) {
+    for (std::uint32_t pattern = 0; pattern < std::uint32_t{1} << exact.size(); ++pattern) {
+      NearbyBits bits(exact.size());
+      for (std::size_t k = 0; k < bits.size(); ++k) bits[k] = (pattern >> k & 1) != 0;
+      found.insert(std::move(bits));
+    }
   }
-  if (std::all_of(values.begin(), values.end(), [&](bool v) { return v == values[0]; }))
-    return values[0] ? ValuesNear::kOnlyOne : ValuesNear::kOnlyZero;
+  std::vector<NearbyBits> out;
+  for (const NearbyBits& bits : found) {
+    out.emplace_back(cones.size());
+    for (std::size_t k = 0; k < bits.size(); ++k) out.back()[number[k]] = bits[k];
+  }
+  return out;
+}
+
+// Over all patterns that may occur.
+ValuesNear values_of_patterns(const Ties& ties, std::vector<NearbyBits> patterns,
+                              const NearbyFunction& f) {
+  if (ties.size() > kMostSurfaces || patterns.empty()) return ValuesNear::kUnknown;
+  const std::uint32_t count = std::uint32_t{1} << ties.size();
+  std::vector<std::vector<bool>> values(patterns.size(), std::vector<bool>(count));
+  bool has[2] = {};
+  for (std::size_t k = 0; k < patterns.size(); ++k)
+    for (std::uint32_t classes = 0; classes < count; ++classes) {
+      ties.set(classes, patterns[k]);
+      const bool value = f(patterns[k]);
+      values[k][classes] = value;
+      has[value ? 1 : 0] = true;
+    }
+  if (!has[0] || !has[1]) return has[1] ? ValuesNear::kOnlyOne : ValuesNear::kOnlyZero;
+  // Both bits of one surface occur.
+  if (std::any_of(values.begin(), values.end(), [&](const auto& v) { return v != values[0]; }))
+    return ValuesNear::kUnknown;
   std::size_t num_needed = 0;
-  for (std::size_t c = 0; c < ties.num_classes; ++c) {
+  for (std::size_t c = 0; c < ties.size(); ++c) {
     bool is_needed = false;
-    for (std::uint32_t pattern = 0; pattern < count; ++pattern)
-      is_needed |= values[pattern] != values[pattern ^ (std::uint32_t{1} << c)];
+    for (std::uint32_t classes = 0; classes < count; ++classes)
+      is_needed |= values[0][classes] != values[0][classes ^ (std::uint32_t{1} << c)];
     num_needed += is_needed ? 1 : 0;
   }
   return num_needed == 1 ? ValuesNear::kBoth : ValuesNear::kUnknown;
@@ -165,7 +209,7 @@ class Directions {
 }  // namespace
 
 ValuesNear values_near(std::span<const TangentCone> cones, const NearbyFunction& f) {
-  const ValuesNear by_patterns = values_of_patterns(Ties(cones), f);
+  const ValuesNear by_patterns = values_of_patterns(Ties(cones), patterns_of_sectors(cones), f);
   if (by_patterns != ValuesNear::kUnknown) return by_patterns;
   return Directions(cones, f).have_both_values() ? ValuesNear::kBoth : ValuesNear::kUnknown;
 }

@@ -233,6 +233,27 @@ class Classify(Folder):
         self.assertEqual((done.returncode, output.read_text(), certificate.exists()), (3, ANSWERS, False), done)
         self.assertIn("veritope convert writes them as a mesh", done.stderr.replace("\n", " "))
 
+    def test_models_that_face_the_wrong_way_are_taken_reversed(self):
+        output, certificate = self.folder / "answers.txt", self.folder / "points.cert"
+        square = {"kind": "surface", "group": None, "attributes": [], "shape": {
+            "degrees": [1, 1], "periodic": [False, False], "knots": [["0", "0", "1", "1"]] * 2, "rational": False, "components": 3}}
+        def spline(faces):                                                   # corners (0,0), (0,1), (1,0), (1,1)
+            entities = [square | {"shape": square["shape"] | {"points": [[str(v & 1), str(v >> 1 & 1), str(v >> 2)] for v in (f[0], f[3], f[1], f[2])]}}
+                        for f in faces]
+            return json.dumps({"format": "veritope-spline-1", "groups": [], "entities": entities})
+        inside_out = [f[::-1] for f in FACES]
+        for name, text in (("turned.off", off(inside_out)), ("mixed.off", off(FACES[:2] + inside_out[2:])),
+                           ("turned.vjson", spline(inside_out)), ("mixed.vjson", spline(FACES[:2] + inside_out[2:]))):
+            model = self.file(name, text)
+            kept = run("classify", model, self.points)
+            self.assertEqual((kept.returncode, kept.stdout), (1, ""), name)
+            self.assertEqual(self.answers(self.points, "--orient", "auto", "--decimals", "exact", model=model), ANSWERS, name)
+            done = run("classify", model, self.points, "--orient", "auto", "-o", output, "--certificate", certificate)
+            self.assertEqual((done.returncode, output.read_text(), certificate.exists()), (3, ANSWERS, False), done)
+            self.assertIn("faces of the file", done.stderr.replace("\n", " "))
+        sound = self.answers(self.points, "--orient", "auto", "-o", output, "--certificate", certificate)
+        self.assertEqual((sound, output.read_text(), certificate.exists()), ("", ANSWERS, True))
+
     def test_points_of_spline_models_have_certificates_in_every_format(self):
         output, certificate = self.folder / "answers.txt", self.folder / "points.cert"
         for name, (make, of_volumes) in every_claim.FORMATS.items():

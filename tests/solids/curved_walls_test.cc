@@ -127,6 +127,29 @@ TEST(CurvedWalls, OfOneSurfaceFromOtherPatches) {
   }
 }
 
+// Rational points whose parameters in the octants are irrational.
+// PROVES POINT-8.D3
+TEST(CurvedWalls, AtIrrationalParameters) {
+  const Patches ball = patch_shapes::octant_sphere();
+  const ExactPoint p{ratio(2, 3), ratio(2, 3), ratio(1, 3)};
+  const std::shared_ptr<const Operand> first = solid(ball);
+  for (const Patches& other : {subdivided(ball), elevated(ball, 1)})
+    EXPECT_EQ(words({first, solid(other)}, p), "on on out out");
+  const std::shared_ptr<const Operand> above = block({-2, -2, p[2]}, {2, 2, 2});
+  EXPECT_EQ(words({first, above}, p), "on on on on");
+  EXPECT_EQ(words({first, block({-2, -2, -2}, {2, 2, p[2]})}, p), "on on on on");
+  // A shell around the ball: its hole is the ball.
+  const Patches hole = patch_shapes::joined(
+      {patch_shapes::box({-2, -2, -2}, {2, 2, 2}), patch_shapes::reversed(subdivided(ball))});
+  EXPECT_EQ(words({first, solid(hole)}, p), "in out on on");
+  // Both halves of a block beside the walls of two equal balls: the union is known by all three together.
+  const Solids solids = {first, solid(subdivided(ball)), above, block({-2, -2, -2}, {2, 2, p[2]})};
+  const auto v = [](std::uint32_t i) { return Formula::variable(i); };
+  EXPECT_EQ(word(Formula::any_of({v(0), v(2), v(3)}), solids, p), "in");
+  EXPECT_EQ(word(Formula::all_of({v(0), v(1).negated(), v(2)}), solids, p), "out");
+  EXPECT_EQ(word(Formula::all_of({v(0), v(1), v(2)}), solids, p), "on");
+}
+
 // Eight octants of a ball.
 // PROVES POINT-8
 TEST(CurvedWalls, AddUpToABall) {

@@ -97,9 +97,8 @@ FileDecision decide_once(const FilePatches& patches, const FileDecisionOptions& 
     return fitted;
   options.in_plain_frame = true;
   options.with_frames = false;
-  options.cover.max_boxes =
-      std::min(options.cover.max_boxes,
-               kBoxesInPlainFrame * (fitted.decision.boxes_tried + kFreeBoxes));
+  options.cover.max_boxes = std::min(
+      options.cover.max_boxes, kBoxesInPlainFrame * (fitted.decision.boxes_tried + kFreeBoxes));
   FileDecision plain = decide_in_frame(patches, options);
   return plain.decision.is_valid ? std::move(plain) : std::move(fitted);
 }
@@ -125,20 +124,29 @@ std::vector<std::uint32_t> wrong_shells(const ShellWalks& walks) {
 
 // Reverses the entities of these shells; each entity lies in one shell.
 void turn(FilePatches& patches, const std::vector<std::uint32_t>& shells) {
-  std::vector<Patch> oriented(patches.complex->patches().begin(), patches.complex->patches().end());
+  std::vector<std::uint64_t> entities;
   for (std::size_t e = 0; e < patches.entities.size(); ++e) {
-    StarBoxEntity& entity = patches.entities[e];
-    const std::size_t first = entity.first_patch, last = end_of(patches, e);
-    if (first == last) continue;
-    const std::uint32_t shell = patches.complex->shell(entity.first_patch);
-    if (!std::binary_search(shells.begin(), shells.end(), shell)) continue;
-    entity.is_reversed = !entity.is_reversed;
-    for (std::size_t p = first; p < last; ++p) oriented[p] = reversed(oriented[p]);
+    const std::size_t first = patches.entities[e].first_patch;
+    if (first == end_of(patches, e)) continue;
+    if (std::binary_search(shells.begin(), shells.end(),
+                           patches.complex->shell(static_cast<std::uint32_t>(first))))
+      entities.push_back(e);
   }
-  patches.complex = std::make_unique<PatchComplex>(make_patch_complex(std::move(oriented)).value());
+  reverse_entities(patches, entities);
 }
 
 }  // namespace
+
+void reverse_entities(FilePatches& patches, std::span<const std::uint64_t> entities) {
+  std::vector<Patch> oriented(patches.complex->patches().begin(), patches.complex->patches().end());
+  for (const std::uint64_t e : entities) {
+    StarBoxEntity& entity = patches.entities[e];
+    entity.is_reversed = !entity.is_reversed;
+    const std::size_t last = end_of(patches, e);
+    for (std::size_t p = entity.first_patch; p < last; ++p) oriented[p] = reversed(oriented[p]);
+  }
+  patches.complex = std::make_unique<PatchComplex>(make_patch_complex(std::move(oriented)).value());
+}
 
 std::vector<std::uint64_t> FilePatches::reversed() const {
   std::vector<std::uint64_t> out;

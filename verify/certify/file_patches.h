@@ -51,6 +51,9 @@ struct FilePatches {
 Result<FilePatches> file_patches(const SplineModel& model, PatchOrientation orientation,
                                  std::span<const VolumeFace> faces = {});
 
+/// Reverses all patches of these entities. REQUIRES patches.complex, and numbers of entities.
+void reverse_entities(FilePatches& patches, std::span<const std::uint64_t> entities);
+
 /// For boundary faces of volumes: what keeps them from being a closed oriented surface, named by volumes and not, as
 /// describe does, by the surfaces of the complex, which the file does not have. Nothing for other files, or for a
 /// closed oriented surface. REQUIRES patches.complex.

@@ -50,7 +50,7 @@ std::string text(const ExactPoint& p) {
   return p[0].to_string() + "," + p[1].to_string() + "," + p[2].to_string();
 }
 
-// PROVES POINT-8
+// PROVES POINT-8, POINT-8.T
 TEST(CurvedWalls, AbutAlongCommonRims) {
   const Patches tall = patch_shapes::frustum(1, 1, 2);
   const Solids stacked = {solid(tall), solid(patch_shapes::placed(tall, 1, {0, 0, 2}))};
@@ -151,7 +151,7 @@ TEST(CurvedWalls, AtIrrationalParameters) {
 }
 
 // Eight octants of a ball.
-// PROVES POINT-8
+// PROVES POINT-8, POINT-8.T
 TEST(CurvedWalls, AddUpToABall) {
   Solids octants;
   const Patches ball = patch_shapes::octant_sphere();
@@ -221,6 +221,7 @@ Patches under_curve(const std::vector<Rational>& x, const std::vector<Rational>&
 }
 
 // (t^2 - t, t^2 (1 - t)^2 (1 + 3 t)) comes back to 0 with the same tangent, on another sheet: z near x^2 and 4 x^2.
+// PROVES POINT-8.D1
 TEST(CurvedWalls, DoNotTakeTwoSheetsOfOneMapForOne) {
   BezierCurve<Rational> curve({5}, 2, false);
   // In Bernstein form of degree 5: t^2 - t, and t^2 (1-t)^2 ((1-t) + 4 t).

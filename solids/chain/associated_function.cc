@@ -16,7 +16,7 @@ class CellValues {
  public:
   explicit CellValues(const ChainPoint<Dim>& q) : q_(q) {}
 
-  // Of the intersection; nothing if the point is on a curved wall and no other factor is 0.
+  // The value of the intersection; nothing if the point is on a curved wall and no other factor is 0.
   std::optional<Integer> value(const std::vector<CellPointer<Dim>>& cells) {
     Integer out(1);
     bool is_open = false;

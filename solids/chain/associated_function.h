@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/chain/associated_function.h: f, f* and the solid of a chain: definitions 3, 4 and 6 of seed 001 [GRF03].
-// Theory: docs/THEORY.md, CHAIN-2 and CHAIN-3.
+// Theory: docs/THEORY.md, CHAIN-2.
 #pragma once
 #include <cstddef>
 #include <optional>

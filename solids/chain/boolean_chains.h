@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/chain/boolean_chains.h: Boolean operations as sums of chains: theorems 2 to 5 of seed 001 [GRF03].
-// Theory: docs/THEORY.md, CHAIN-4.
+// Theory: docs/THEORY.md, CHAIN-3.
 #pragma once
 #include <cstddef>
 #include <cstdint>

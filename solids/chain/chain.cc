@@ -2,6 +2,7 @@
 #include "solids/chain/chain.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <utility>

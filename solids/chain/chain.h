@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/chain/chain.h: extended simplicial chains: definitions 2 and 5 of seed 001 [GRF03], for the line, the plane and
-// space from one template. Their function f is in solids/chain/associated_function.h.
+// solids/chain/chain.h: extended simplicial chains: definitions 2 and 5 of seed 001 [GRF03], for the line, the plane
+// and space from one template. Their function f is in solids/chain/associated_function.h.
 // Theory: docs/THEORY.md, CHAIN-2.  Design: docs/design/0058-chains-as-types.md.
 #pragma once
 #include <cstddef>

@@ -37,7 +37,7 @@ class ChainPoint {
   }
 
   const PointIn<Dim>& exact() const { return exact_; }
-  /// The same coordinates, if binary64 has them all.
+  /// Its coordinates as binary64 numbers, if binary64 has them all.
   const std::optional<std::array<double, Dim>>& doubles() const { return doubles_; }
   /// Contains the point.
   const Box3d& box() const { return box_; }

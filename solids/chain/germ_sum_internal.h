@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/chain/germ_sum_internal.h: the function f of a chain near one point, where all walls are flat.
-// Theory: docs/THEORY.md, CHAIN-3.
+// Theory: docs/THEORY.md, CHAIN-2.
 #pragma once
 #include <cstddef>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/chain/local_faces_internal.h: the faces into which hyperplanes through one point cut the space around it.
-// Theory: docs/THEORY.md, CHAIN-3.
+// Theory: docs/THEORY.md, CHAIN-2.
 #pragma once
 #include <array>
 #include <cstddef>

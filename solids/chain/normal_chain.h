@@ -34,10 +34,10 @@ class NormalChain {
   /// or a strip, or if 256 halvings of the patches do not tell that Q is on none.
   std::optional<int> value(const ExactPoint& point, const ExactPoint& origin) const;
 
-  /// The chain itself, formula (1) of theorem 1: the original simplices from the origin with the signs of their volumes,
-  /// and the free-form cells with theirs. Its f is definition 3's: on flat walls it counts closed cells. Simplices
-  /// without an interior and patches in their bases have the coefficient 0 and are left out. It shares the patches of
-  /// the cells with this object, and may outlive it.
+  /// The chain itself, formula (1) of theorem 1: the original simplices from the origin with the signs of their
+  /// volumes, and the free-form cells with theirs. Its f is definition 3's: on flat walls it counts closed cells.
+  /// Simplices without an interior and patches in their bases have the coefficient 0 and are left out. It shares the
+  /// patches of the cells with this object, and may outlive it.
   Chain<3> chain(const ExactPoint& origin) const;
 
   CellCounts simplices(const ExactPoint& origin) const;

@@ -54,7 +54,7 @@ std::optional<PointIn<Dim>> common_point(const std::array<const Hyperplane<Dim>*
   return out;
 }
 
-// All points at which Dim facets may meet that have no line in common: CHAIN-5's places.
+// All points at which Dim facets may meet that have no line in common: CHAIN-4's places.
 template <std::size_t Dim>
 class Places {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/chain/normality.h: is a chain normal, definition 10 of seed 001 [GRF03]?  Theory: docs/THEORY.md, CHAIN-5.
+// solids/chain/normality.h: is a chain normal, definition 10 of seed 001 [GRF03]?  Theory: docs/THEORY.md, CHAIN-4.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -29,8 +29,9 @@ struct NormalityOptions {
   std::uint64_t seed = 1;  ///< of the points
 };
 
-/// Decides chains of simplices, if the limits suffice. With a free-form cell, a violation can be found; nothing says
-/// that there is none: that the chain of a valid model is normal follows from the model's certificate and CHAIN-1.
+/// Decides chains of simplices, if the limits suffice. With a free-form cell a violation may be found, and otherwise
+/// the answer is undecided: that the chain of a valid model is normal follows from the model's certificate and CHAIN-1.
+/// @cost  with n facets that meet each other, in space n^3 points, and the faces around each
 template <std::size_t Dim>
 Normality<Dim> is_normal(const AssociatedFunction<Dim>& f, const NormalityOptions& options = {});
 

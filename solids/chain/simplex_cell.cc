@@ -34,7 +34,7 @@ namespace {
 template <std::size_t Dim>
 using RoundedCorners = std::array<std::array<double, Dim>, Dim + 1>;
 
-// The same sign, from binary64 coordinates, exactly.
+// The exact sign of orientation_of() from binary64 coordinates.
 Sign orientation_of(const RoundedCorners<1>& p) {
   return p[0][0] < p[1][0] ? Sign::kPositive : p[1][0] < p[0][0] ? Sign::kNegative : Sign::kZero;
 }

@@ -17,7 +17,7 @@ class SimplexCell : public Cell<Dim> {
   static Result<std::shared_ptr<const SimplexCell>> make(const Corners& corners);
 
   const Corners& corners() const { return corners_; }
-  /// Of the determinant of the corners minus the first; the sign of its signed area or volume.
+  /// The sign of the signed length, area or volume: that of orientation_of(corners).
   Sign sign() const { return sign_; }
 
   CellKind kind() const override { return CellKind::kSimplex; }
@@ -27,7 +27,7 @@ class SimplexCell : public Cell<Dim> {
 
  private:
   SimplexCell(const Corners& corners, Sign sign);
-  // Of each facet, opposite to corner i, the side on which q lies: positive is inward.
+  // On which side of the facet opposite to corner `facet` q lies: positive is inward.
   Sign side_of(const ChainPoint<Dim>& q, std::size_t facet) const;
   NormalIn<Dim> inward_normal(std::size_t facet) const;
 

@@ -34,7 +34,36 @@ using ProductDims =
                    std::integral_constant<std::size_t, 3>>;
 TYPED_TEST_SUITE(ProductIn, ProductDims);
 
-// Any coefficients, walls included: closed cells that meet meet in a closed cell.  PROVES CHAIN-4
+// Every row of the tables of theorems 2 to 5, and the first form of theorem 5.  PROVES CHAIN-3
+TEST(BooleanChains, HaveTheValuesOfTheTables) {
+  const auto segment = [](int from, int to) { return box_chain<1>({from}, {to}).value(); };
+  const Chain<1> a = segment(0, 4), b = segment(2, 6);
+  const AssociatedFunction<1> both(intersection_of(a, b).value()), either(union_of(a, b).value()),
+      without(difference_of(a, b).value()), first_form(a - b),
+      outside(complement_of<1>(a, {-9}, {9}).value());
+  struct Row {
+    int x, both, either, without, first_form, outside;
+  };
+  for (const Row& row : {Row{1, 0, 1, 1, 1, 0}, Row{3, 1, 1, 0, 0, 0}, Row{5, 0, 1, 0, -1, 1},
+                         Row{8, 0, 0, 0, 0, 1}, Row{10, 0, 0, 0, 0, 0}}) {
+    const PointIn<1> q{row.x};
+    EXPECT_EQ(both.value(q), Integer(row.both)) << row.x;
+    EXPECT_EQ(either.value(q), Integer(row.either)) << row.x;
+    EXPECT_EQ(without.value(q), Integer(row.without)) << row.x;
+    EXPECT_EQ(first_form.value(q), Integer(row.first_form)) << row.x;
+    EXPECT_EQ(outside.value(q), Integer(row.outside)) << row.x;
+  }
+  // On a wall the values of single chains must not be combined: 2 + 2 - 4 = 0 inside the union.
+  const Chain<1> halves = segment(0, 2) + segment(2, 4);
+  const PointIn<1> wall{2};
+  const AssociatedFunction<1> f(halves), all(union_of(halves, halves).value());
+  EXPECT_EQ(f.regular_value(wall), Integer(2));
+  EXPECT_EQ(AssociatedFunction<1>(product(halves, halves).value()).regular_value(wall), Integer(4));
+  EXPECT_EQ(all.value(wall), Integer(0));
+  EXPECT_EQ(all.regular_value(wall), Integer(1));
+}
+
+// Any coefficients, walls included: closed cells that meet meet in a closed cell.  PROVES CHAIN-3
 TYPED_TEST(ProductIn, MultipliesFunctions) {
   constexpr std::size_t kDim = TypeParam::value;
   Random random(kSeed);
@@ -93,7 +122,7 @@ TYPED_TEST(ProductIn, ComplementsNeedABoxAroundAllCells) {
   EXPECT_TRUE(complement_of(Chain<kDim>(), far_lo, far_hi));
 }
 
-// A sphere without a block that reaches into it, with two origins.  PROVES CHAIN-4
+// A sphere without a block that reaches into it, with two origins.  PROVES CHAIN-3
 TEST(BooleanChains, AreSolidsOfPatches) {
   const NormalChain sphere(complex_of(patch_shapes::octant_sphere()));
   const NormalChain block(complex_of(unit_box()));

@@ -70,7 +70,7 @@ TYPED_TEST(ChainIn, CountsClosedCells) {
   EXPECT_EQ(f.is_off_walls(point_at<kDim>(half(9))), true);
 }
 
-// Definition 6.  PROVES CHAIN-3
+// Definition 6.  PROVES CHAIN-2
 TYPED_TEST(ChainIn, RegularValuesAreExtremesOfTheNeighbourhood) {
   constexpr std::size_t kDim = TypeParam::value;
   const Chain<kDim> a = block<kDim>(0, 2), b = block<kDim>(1, 2);
@@ -89,7 +89,7 @@ TYPED_TEST(ChainIn, RegularValuesAreExtremesOfTheNeighbourhood) {
 }
 
 // [0,2] - [0,1] - [1,2] has f = 0 off walls and f* = 0 everywhere, but it changes f* of what it is added to: only
-// classes of equal f are a module.  PROVES CHAIN-3
+// classes of equal f are a module.  PROVES CHAIN-2
 TYPED_TEST(ChainIn, RegularFunctionsAreNoModule) {
   constexpr std::size_t kDim = TypeParam::value;
   const Chain<kDim> null = block<kDim>(0, 2) - block<kDim>(0, 1) - block<kDim>(1, 2);

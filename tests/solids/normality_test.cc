@@ -46,7 +46,7 @@ using NormalityDims =
                    std::integral_constant<std::size_t, 3>>;
 TYPED_TEST_SUITE(NormalityIn, NormalityDims);
 
-// PROVES CHAIN-5
+// PROVES CHAIN-4
 TYPED_TEST(NormalityIn, IsDecidedForSimplices) {
   constexpr std::size_t kDim = TypeParam::value;
   using S = State<kDim>;
@@ -61,7 +61,7 @@ TYPED_TEST(NormalityIn, IsDecidedForSimplices) {
   EXPECT_EQ(decide(cube<kDim>(0, 3) - cube<kDim>(1, 2)).state, S::kHolds);  // a hollow one
 }
 
-// The paper's two forms of theorem 5.  PROVES CHAIN-4
+// The paper's two forms of theorem 5.  PROVES CHAIN-3
 TYPED_TEST(NormalityIn, TheDifferencesFirstFormIsNotNormal) {
   constexpr std::size_t kDim = TypeParam::value;
   using S = State<kDim>;
@@ -102,7 +102,7 @@ TYPED_TEST(NormalityIn, IsUndecidedBeyondItsLimits) {
   EXPECT_EQ(decide(Integer(2) * cube<kDim>(0, 2), options).state, State<kDim>::kViolated);
 }
 
-// Random sums of simplices against many points.  PROVES CHAIN-5
+// Random sums of simplices against many points.  PROVES CHAIN-4
 TEST(Normality, NeverHoldsWhereAPointSaysOtherwise) {
   Random random(kSeed);
   std::size_t holds = 0, violated = 0;
@@ -131,7 +131,7 @@ TEST(Normality, NeverHoldsWhereAPointSaysOtherwise) {
   EXPECT_GT(violated, 20u);
 }
 
-// The normal chain of a polyhedron is normal for every origin; closed cells count twice on its faces.  PROVES CHAIN-5
+// The normal chain of a polyhedron is normal for every origin; closed cells count twice on its faces.  PROVES CHAIN-4
 TEST(Normality, HoldsForNormalChainsOfBlocks) {
   const PatchComplex complex = complex_of(unit_box());
   const NormalChain chain(complex);

@@ -54,7 +54,7 @@ TEST(PatchCell, HasTheValueOneBetweenPatchAndBase) {
   }
 }
 
-// f* on a base that a simplex and a free-form cell share is 2, f* on the outer face of a simplex 1.  PROVES CHAIN-3
+// f* on a base that a simplex and a free-form cell share is 2, f* on the outer face of a simplex 1.  PROVES CHAIN-2
 TEST(PatchCell, IsCountedBesideSimplicesOnItsBase) {
   const Chain<3> cell(Integer(1), std::make_shared<const PatchCell>(roof(1)));
   const FacetIn<3> base{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};

@@ -2,7 +2,10 @@
 #include "solids/chain/associated_function.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "robust/base/fp_guard.h"
 #include "solids/chain/germ_sum_internal.h"
@@ -102,17 +105,42 @@ std::optional<Integer> AssociatedFunction<Dim>::regular_value(const PointIn<Dim>
   visit_terms(q, [&](const ChainTerm<Dim>& t) { return is_known = sum.add(t, q); });
   if (!is_known || sum.hyperplanes().size() > kMostWalls) return std::nullopt;
   bool is_in_closure = false;
-  Integer greatest = sum.at_face({}), least = greatest;
-  for (internal::FaceFlag<Dim>& flag : internal::LocalFaces<Dim>(sum.hyperplanes()).open_faces()) {
-    is_in_closure = is_in_closure || sum.at_face(flag).sign() != 0;
-    for (; !flag.empty(); flag.pop_back()) {
-      const Integer v = sum.at_face(flag);
-      if (greatest < v) greatest = v;
-      if (v < least) least = v;
+  std::optional<Integer> greatest, least;
+  std::set<std::vector<Sign>> seen;
+  internal::LocalFaces<Dim>(sum.hyperplanes()).visit([&](const internal::LocalFace<Dim>& face) {
+    if (!seen.insert(face.sides).second) return true;
+    const Integer v = sum.at(face.sides);
+    is_in_closure = is_in_closure || (face.is_open && v.sign() != 0);
+    if (!greatest || *greatest < v) greatest = v;
+    if (!least || v < *least) least = v;
+    return true;
+  });
+  if (!is_in_closure) return Integer(0);
+  return greatest->sign() > 0 ? greatest : least;
+}
+
+template <std::size_t Dim>
+std::optional<Integer> AssociatedFunction<Dim>::value_beside(const PointIn<Dim>& point) const {
+  const ScopedDefaultFp nearest;
+  const ChainPoint<Dim> q(point);
+  internal::GermSum<Dim> sum;
+  bool is_known = true;
+  visit_terms(q, [&](const ChainTerm<Dim>& t) { return is_known = sum.add(t, q); });
+  if (!is_known) return std::nullopt;
+  // Along (1, s, s^2), which is in a hyperplane for at most Dim - 1 values of s.
+  std::vector<Sign> sides;
+  for (std::int64_t s = 1; sides.size() < sum.hyperplanes().size(); ++s) {
+    NormalIn<Dim> along;
+    Rational power(1);
+    for (Rational& x : along) x = power, power *= Rational(s);
+    sides.clear();
+    for (const NormalIn<Dim>& h : sum.hyperplanes()) {
+      const Sign side = internal::dot_product<Dim>(h, along).sign();
+      if (side == 0) break;
+      sides.push_back(side);
     }
   }
-  if (!is_in_closure) return Integer(0);
-  return greatest.sign() > 0 ? greatest : least;
+  return sum.at(sides);
 }
 
 template class AssociatedFunction<1>;

@@ -55,9 +55,8 @@ class GermSum {
   const std::vector<NormalIn<Dim>>& hyperplanes() const { return hyperplanes_; }
   bool is_constant() const { return hyperplanes_.empty(); }
 
-  Integer at_face(const FaceFlag<Dim>& face) const {
-    std::vector<Sign> sides;
-    for (const NormalIn<Dim>& h : hyperplanes_) sides.push_back(side_of_face<Dim>(h, face));
+  /// @param sides  of the hyperplanes, those of a face
+  Integer at(const std::vector<Sign>& sides) const {
     Integer out = constant_;
     for (const Product& p : products_) {
       Integer value = p.coefficient;

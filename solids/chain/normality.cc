@@ -145,25 +145,23 @@ class Decision {
     internal::GermSum<Dim> sum;
     for (const ChainTerm<Dim>& t : f_.chain().terms())
       if (meets(t.box, q.box()) && !sum.add(t, q)) return false;
-    std::uint64_t flags = 1;  // at most
-    for (std::size_t k = 0; k < Dim; ++k)
-      flags *= 2 * std::max<std::uint64_t>(1, sum.hyperplanes().size());
-    if (flags > faces_left()) return false;
-    faces_ += flags;
-    for (const auto& flag : internal::LocalFaces<Dim>(sum.hyperplanes()).open_faces())
-      if (!is_allowed(sum.at_face(flag))) return find_near(p, flag), false;
-    return true;
+    const internal::LocalFaces<Dim> local(sum.hyperplanes());
+    bool is_within_limits = true, is_right = true;
+    local.visit([&](const internal::LocalFace<Dim>& face) {
+      is_within_limits = faces_++ < options_.max_places;
+      if (!is_within_limits) return false;
+      is_right = !face.is_open || is_allowed(sum.at(face.sides));
+      if (!is_right) find_near(p, face.vectors);
+      return is_right;
+    });
+    return is_within_limits && is_right;
   }
-  std::uint64_t faces_left() const {
-    return options_.max_places - std::min(options_.max_places, faces_);
-  }
-
   // Steps into the open face until a point has the value of the face.
-  void find_near(const PointIn<Dim>& p, const internal::FaceFlag<Dim>& flag) {
+  void find_near(const PointIn<Dim>& p, const std::vector<NormalIn<Dim>>& vectors) {
     for (int bits = 1; bits <= 4096 && !out_.witness; bits *= 2) {
       PointIn<Dim> q = p;
       Rational step = Rational::power_of_two(-bits), factor = step;
-      for (const NormalIn<Dim>& v : flag) {
+      for (const NormalIn<Dim>& v : vectors) {
         for (std::size_t k = 0; k < Dim; ++k) q[k] += factor * v[k];
         factor *= step;
       }

@@ -88,6 +88,19 @@ TYPED_TEST(ChainIn, RegularValuesAreExtremesOfTheNeighbourhood) {
   EXPECT_EQ(at(a, half(1)), Integer(1));
 }
 
+TYPED_TEST(ChainIn, ValuesBesideWallsAreThoseOfOneDirection) {
+  constexpr std::size_t kDim = TypeParam::value;
+  const AssociatedFunction<kDim> f(block<kDim>(0, 1) + block<kDim>(1, 2));
+  EXPECT_EQ(f.value_beside(point_at<kDim>(1)), Integer(1));
+  EXPECT_EQ(f.value_beside(point_at<kDim>(half(1))), Integer(1));
+  EXPECT_EQ(f.value_beside(point_at<kDim>(7)), Integer(0));
+  PointIn<kDim> corner;
+  corner.fill(0);  // on the diagonals of the box as well
+  EXPECT_EQ(f.value_beside(corner), Integer(1));
+  corner[0] = 2;
+  EXPECT_EQ(f.value_beside(corner), Integer(0));
+}
+
 // [0,2] - [0,1] - [1,2] has f = 0 off walls and f* = 0 everywhere, but it changes f* of what it is added to: only
 // classes of equal f are a module.  PROVES CHAIN-2
 TYPED_TEST(ChainIn, RegularFunctionsAreNoModule) {

@@ -14,6 +14,8 @@ namespace {
 
 // The numbers of halvings after which it is asked whether the point is on the curve; then there is no limit.
 constexpr int kLevelsBeforeAsking = 12;
+// Before that coordinates are cheaper to look at.
+constexpr int kLevelsBeforeSlants = 3;
 
 using Line = std::vector<Integer>;
 
@@ -68,11 +70,29 @@ class RayOverArc {
 
   void take(Piece piece) {
     if (are_all(piece.across, Sign::kPositive) || are_all(piece.across, Sign::kNegative)) return;
-    if (are_all(piece.along, Sign::kNegative)) return;
-    if (are_all(piece.along, Sign::kPositive))
+    Sign side = are_all(piece.along, Sign::kNegative)   ? Sign::kNegative
+                : are_all(piece.along, Sign::kPositive) ? Sign::kPositive
+                                                        : Sign::kZero;
+    if (side == 0 && piece.level >= kLevelsBeforeSlants) side = slanted_side(piece);
+    if (side > 0)
       sum_ += is_after(piece.across.back()) - is_after(piece.across.front());
-    else
+    else if (side == 0)
       open_.push_back(std::move(piece));
+  }
+
+  // If all control points are strictly on one side of the parallel to the chord through the point, the sign of the
+  // angle between this side's normal and the ray; else 0. A small piece lies near its chord: pieces with a length like
+  // the root of the point's distance are done.
+  static Sign slanted_side(const Piece& piece) {
+    const Integer dx = piece.along.back() - piece.along.front(),
+                  dy = piece.across.back() - piece.across.front();
+    Sign side = Sign::kZero;
+    for (std::size_t i = 0; i < piece.along.size(); ++i) {
+      const Sign s = (dy * piece.along[i] - dx * piece.across[i]).sign();
+      if (s == 0 || s * side < 0) return Sign::kZero;
+      side = s;
+    }
+    return side * dy.sign();
   }
 
   int sum_ = 0;

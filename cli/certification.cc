@@ -161,6 +161,7 @@ class Certification {
     if (certified->verdict == Verdict::kUndecided) {
       give_up(kExitUndecided, certified->findings.front());
       report_.reasons = std::move(certified->findings);
+      if (settings_.model != nullptr) *settings_.model = std::move(model_);
       return false;
     }
     report_.defects = std::move(certified->findings);

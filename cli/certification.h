@@ -23,7 +23,7 @@ struct CertifySettings {
   std::string checker;  ///< the checker's program; empty: --no-check
   /// Nothing: no picture. A picture shows up to kMostDrawn defects of each rule, whatever the number that is listed.
   std::optional<PictureKind> picture;
-  /// Not null: takes the model once it is decided.
+  /// Not null: takes the model once it is decided, or has turned out to be undecided.
   ModelFile* model = nullptr;
   /// Not null: takes the bytes of an input that needs_copy.
   std::string* model_bytes = nullptr;

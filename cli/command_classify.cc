@@ -11,6 +11,7 @@
 #include "cli/expression_classification.h"
 #include "cli/expression_operands.h"
 #include "cli/output_plan.h"
+#include "cli/plane_classification.h"
 #include "cli/point_source.h"
 #include "cli/scratch_file.h"
 #include "io/base/atomic_file.h"
@@ -93,6 +94,7 @@ struct Model {
   std::optional<MeshShells> shells;     // of a mesh; nothing: --winding
   FilePatches patches;                  // of a file of splines
   std::vector<std::uint64_t> reversed;  // entities of such a file
+  std::optional<PlaneRegion> plane;     // of a file of curves in the plane
   std::string no_certificate;           // why checkers do not read the model; empty if they do
 };
 
@@ -115,6 +117,7 @@ class ClassifyRun {
     if (!options_.input.reading.format && !needs_copy(path()) && is_chain_file(path()))
       return run_expression();
     if (const ExitCode exit = take_model(); exit != kExitValid) return exit;
+    if (model_.plane) return run_plane();
     const ExitCode exit = options_.by_chain ? classify_by_chain() : classify();
     progress_.clear();
     return exit;
@@ -164,11 +167,28 @@ class ClassifyRun {
     return first_of(report_.undecided.empty() ? kExitValid : kExitUndecided, write_json());
   }
 
+  ExitCode run_plane() {
+    Stopwatch watch;
+    const ExitCode exit = with_answers(
+        options_.decimals.value_or(Decimals::kExact),
+        [&](PointSource& source, const WriteAnswers& write) {
+          progress_.phase(shown_path(path()), "classifying");
+          const Status status =
+              classify_points(*model_.plane, source, static_cast<unsigned>(options_.jobs),
+                              options_.winding, write, report_);
+          report_.seconds_classify = watch.lap();
+          return status;
+        },
+        2);
+    return exit == kExitValid ? write_json() : exit;
+  }
+
   // Opens the points and the answers for `work`, and keeps the answers if it succeeds.
   template <typename Work>
-  ExitCode with_answers(Decimals decimals, Work work) {
+  ExitCode with_answers(Decimals decimals, Work work, std::size_t dimension = 3) {
     report_.are_decimals_exact = decimals == Decimals::kExact;
-    auto source = open_points(options_.files[1], decimals, options_.input.reading.limits);
+    auto source =
+        open_points(options_.files[1], decimals, options_.input.reading.limits, dimension);
     if (!source) return refuse(source.error());
     std::optional<AtomicFile> answers;
     if (options_.output && !is_stream(*options_.output)) {
@@ -224,7 +244,25 @@ class ClassifyRun {
     report_.path = path();
     report_.sha256 = sha256_of(model_.file);
     if (std::holds_alternative<MeshFile>(model_.file)) return kExitValid;
+    if (is_plane_model(model_.file)) return take_plane();
     return take_patches(std::get<SplineFile>(model_.file));
+  }
+
+  ExitCode take_plane() {
+    for (const auto& [option, is_given] :
+         {std::pair("--certificate", options_.certificate.has_value()),
+          std::pair("--by normal", options_.by_chain)})
+      if (is_given)
+        return complain(std::string(option) + " is for models in space, and " + harmless(path()) +
+                        " has curves of the plane"),
+               kExitUsage;
+    Stopwatch watch;
+    Result<PlaneRegion> region = plane_region_of(model_.file);
+    report_.seconds_build = watch.lap();
+    if (region) return model_.plane.emplace(std::move(*region)), kExitValid;
+    Error error = region.error();
+    error.place.file = path();
+    return complain(harmless("no points are classified: " + to_string(error))), kExitInvalid;
   }
 
   ExitCode take_patches(const SplineFile& file) {
@@ -277,6 +315,7 @@ class ClassifyRun {
     if (options_.orient_auto) settings.certify.orientation = PatchOrientation::kAuto;
     const CertifiedFile done = certify_file(path(), settings, {}, progress_);
     progress_.clear();
+    if (is_plane_model(model_.file)) return kExitValid;  // nothing certifies loops
     report_.verdict = done.report.verdict;
     if (done.report.verdict != Verdict::kValid) {
       std::string line = verdict_line(done.report, TextOptions());

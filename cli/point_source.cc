@@ -26,11 +26,11 @@ class TextPoints : public PointSource {
  public:
   /// @param waits  whether the points may come from a program that waits for their answers
   TextPoints(LineReader lines, std::string name, bool waits, Decimals decimals,
-             const ReadLimits& limits)
+             const ReadLimits& limits, std::size_t dimension)
       : lines_(std::move(lines)),
         name_(std::move(name)),
         waits_(waits),
-        reader_(decimals, limits) {}
+        reader_(decimals, limits, dimension) {}
 
   Status next(PointBatch& batch) override {
     batch.clear();
@@ -100,13 +100,13 @@ class NpyPoints : public PointSource {
         return error(Code::kTruncated, "the file ends before row " + std::to_string(row_) + " of " +
                                            std::to_string(header_.num_points));
       const Vec3d p = npy_row(header_, row.data());
-      for (int k = 0; k < 3; ++k)
+      for (int k = 0; k < static_cast<int>(header_.num_columns); ++k)
         if (!std::isfinite(p[k]))
           return error(Code::kNotFinite, "row " + std::to_string(row_) + ", column " +
                                              std::to_string(k) +
                                              " is not finite: " + hexadecimal(p[k]));
       const std::array<std::string, 3> text = {hexadecimal(p.x), hexadecimal(p.y),
-                                               hexadecimal(p.z)};
+                                               header_.num_columns == 3 ? hexadecimal(p.z) : ""};
       batch.add({text[0], text[1], text[2]}, p);
     }
     return batch.size() == 0 ? check_end() : ok_status();
@@ -132,8 +132,9 @@ class NpyPoints : public PointSource {
 };
 
 Result<std::unique_ptr<PointSource>> npy_points(std::ifstream file, const std::string& name,
-                                                std::span<const unsigned char> begin) {
-  const Result<NpyHeader> header = read_npy_header(begin);
+                                                std::span<const unsigned char> begin,
+                                                std::size_t dimension) {
+  const Result<NpyHeader> header = read_npy_header(begin, dimension);
   if (!header) {
     Error error = header.error();
     error.place.file = name;
@@ -155,23 +156,24 @@ void PointBatch::clear() {
 
 void PointBatch::add(const std::array<std::string_view, 3>& tokens, const Vec3d& point) {
   points.push_back(point);
-  text_.append(tokens[0]).append(" ").append(tokens[1]).append(" ").append(tokens[2]);
+  text_.append(tokens[0]).append(" ").append(tokens[1]);
+  if (!tokens[2].empty()) text_.append(" ").append(tokens[2]);
   ends_.push_back(text_.size());
 }
 
 Result<std::unique_ptr<PointSource>> open_points(const std::string& path, Decimals decimals,
-                                                 const ReadLimits& limits) {
+                                                 const ReadLimits& limits, std::size_t dimension) {
   const std::string name = path == "-" ? "standard input" : path;
   if (path != "-" && is_regular(path)) {
     std::ifstream file(path, std::ios::binary);
     std::vector<unsigned char> begin(kMostNpyHeader);
     begin.resize(read_some(file, begin));
-    if (looks_like_npy(begin)) return npy_points(std::move(file), name, begin);
+    if (looks_like_npy(begin)) return npy_points(std::move(file), name, begin, dimension);
   }
   Result<LineReader> lines = LineReader::open(path);
   if (!lines) return lines.error();
-  return std::unique_ptr<PointSource>(
-      std::make_unique<TextPoints>(std::move(*lines), name, !is_regular(path), decimals, limits));
+  return std::unique_ptr<PointSource>(std::make_unique<TextPoints>(
+      std::move(*lines), name, !is_regular(path), decimals, limits, dimension));
 }
 
 }  // namespace veritope::cli

@@ -25,6 +25,7 @@ struct PointBatch {
   }
   std::size_t size() const { return points.size(); }
   void clear();
+  /// @param tokens  the third one is empty for a point of the plane
   void add(const std::array<std::string_view, 3>& tokens, const Vec3d& point);
 
  private:
@@ -42,8 +43,11 @@ class PointSource {
   virtual Status next(PointBatch& batch) = 0;
 };
 
-/// Opens a text or an .npy file; "-" is standard input. @error kCannotOpen, and as read_npy_header
+/// Opens a text or an .npy file; "-" is standard input.
+/// @param dimension  the number of coordinates of a point: 3, or 2 with z = 0
+/// @error kCannotOpen, and as read_npy_header
 Result<std::unique_ptr<PointSource>> open_points(const std::string& path, Decimals decimals,
-                                                 const ReadLimits& limits);
+                                                 const ReadLimits& limits,
+                                                 std::size_t dimension = 3);
 
 }  // namespace veritope::cli

@@ -32,8 +32,8 @@ void expect_same(std::string_view token, const Rational& value, bool nearest) {
            "the checker reads another number");
 }
 
-void read_lines(std::string_view text, Decimals decimals) {
-  PointLines lines(decimals, {});
+void read_lines(std::string_view text, Decimals decimals, std::size_t dimension) {
+  PointLines lines(decimals, {}, dimension);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string padded = std::string(text.substr(0, end)) + std::string(16, '\n');
@@ -42,7 +42,7 @@ void read_lines(std::string_view text, Decimals decimals) {
     VT_CHECK(!point || !fault, "a point with a fault");
     VT_CHECK(!fault || (fault->column >= 1 && fault->column <= end + 1), "a column off the line");
     if (point)
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < dimension; ++k) {
         const auto* p = std::get_if<Vec3d>(&point->point);
         const Rational value = p != nullptr ? Rational::from_double((*p)[static_cast<int>(k)])
                                             : std::get<ExactPoint>(point->point)[k];
@@ -56,9 +56,11 @@ void read_lines(std::string_view text, Decimals decimals) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  read_lines(text, Decimals::kNearest);
-  read_lines(text, Decimals::kExact);
-  const auto header = read_npy_header({data, size});
-  if (header) VT_CHECK(header->num_bytes <= size, "a header beyond its bytes");
+  for (const std::size_t dimension : {std::size_t{2}, std::size_t{3}}) {
+    read_lines(text, Decimals::kNearest, dimension);
+    read_lines(text, Decimals::kExact, dimension);
+    const auto header = read_npy_header({data, size}, dimension);
+    if (header) VT_CHECK(header->num_bytes <= size, "a header beyond its bytes");
+  }
   return 0;
 }

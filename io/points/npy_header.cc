@@ -80,7 +80,7 @@ bool looks_like_npy(std::span<const unsigned char> bytes) {
          std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) == 0;
 }
 
-Result<NpyHeader> read_npy_header(std::span<const unsigned char> bytes) {
+Result<NpyHeader> read_npy_header(std::span<const unsigned char> bytes, std::size_t num_columns) {
   if (!looks_like_npy(bytes)) return Error{Code::kSyntax, {}, "this is no .npy file"};
   if (bytes.size() < 12) return broken("it ends in its header");
   const unsigned version = bytes[6];
@@ -102,7 +102,10 @@ Result<NpyHeader> read_npy_header(std::span<const unsigned char> bytes) {
   out.is_big_endian = type->find('>') != type->npos;
   if (*order != "False") return refused("in Fortran order; save a copy in C order");
   const auto size = pair_of(*shape);
-  if (!size || size->second != 3) return refused("with the shape " + *shape + " instead of (n, 3)");
+  if (!size || size->second != num_columns)
+    return refused("with the shape " + *shape + " instead of (n, " + std::to_string(num_columns) +
+                   ")");
+  out.num_columns = num_columns;
   out.num_points = size->first;
   return out;
 }
@@ -114,7 +117,7 @@ Vec3d npy_row(const NpyHeader& header, const unsigned char* row) {
     return static_cast<double>(
         std::bit_cast<float>(load<std::uint32_t>(row + 4 * k, header.is_big_endian)));
   };
-  return {number(0), number(1), number(2)};
+  return {number(0), number(1), header.num_columns == 3 ? number(2) : 0};
 }
 
 }  // namespace veritope

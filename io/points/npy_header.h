@@ -16,7 +16,8 @@ struct NpyHeader {
   std::uint64_t num_points = 0;
   bool is_double = true;  ///< false: binary32
   bool is_big_endian = false;
-  std::size_t row_bytes() const { return is_double ? 24 : 12; }
+  std::size_t num_columns = 3;  ///< 3, or 2 of points of the plane
+  std::size_t row_bytes() const { return num_columns * (is_double ? 8 : 4); }
 };
 
 /// Whether the bytes begin like an .npy file.
@@ -25,10 +26,13 @@ bool looks_like_npy(std::span<const unsigned char> bytes);
 inline constexpr std::size_t kMostNpyHeader = std::size_t{1} << 16;
 
 /// Reads the header of a file whose first bytes are given: all of them, or kMostNpyHeader.
-/// @error kSyntax if it is no header; kForeignFormat for arrays that are not (n, 3) of float64 or float32 in C order
-Result<NpyHeader> read_npy_header(std::span<const unsigned char> bytes);
+/// @param num_columns  that the array must have: 3 or 2
+/// @error kSyntax if it is no header; kForeignFormat for arrays that are not (n, num_columns) of float64 or float32 in
+///        C order
+Result<NpyHeader> read_npy_header(std::span<const unsigned char> bytes,
+                                  std::size_t num_columns = 3);
 
-/// A row: three numbers, which may be NaN or infinite.
+/// A row: numbers that may be NaN or infinite; z is 0 if there are two.
 Vec3d npy_row(const NpyHeader& header, const unsigned char* row);
 
 }  // namespace veritope

@@ -16,13 +16,13 @@ bool is_mark(char c) { return c == ',' || c == ';'; }
 
 struct Split {
   std::array<std::string_view, 3> tokens;
-  std::size_t count = 0;   ///< of all tokens, also beyond three
-  std::size_t fault = 0;   ///< the column of a mark without a token before or after it; 0: none
-  std::size_t fourth = 0;  ///< the column of the fourth token
+  std::size_t count = 0;    ///< of all tokens, also beyond those of a point
+  std::size_t fault = 0;    ///< the column of a mark without a token before or after it; 0: none
+  std::size_t surplus = 0;  ///< the column of the first token too many
 };
 
 // Between two tokens: gaps with at most one mark.
-Split split(std::string_view line) {
+Split split(std::string_view line, std::size_t most) {
   Split out;
   std::size_t i = 0;
   bool needs_token = false;
@@ -40,8 +40,8 @@ Split split(std::string_view line) {
     }
     const std::size_t begin = i;
     while (i < line.size() && !is_gap(line[i]) && !is_mark(line[i])) ++i;
-    if (out.count < 3) out.tokens[out.count] = line.substr(begin, i - begin);
-    if (out.count == 3) out.fourth = begin + 1;
+    if (out.count < most) out.tokens[out.count] = line.substr(begin, i - begin);
+    if (out.count == most) out.surplus = begin + 1;
     ++out.count;
     needs_token = false;
   }
@@ -86,8 +86,8 @@ bool is_heading(std::string_view line, const Split& parts) {
   };
   for (const char c : line)
     if (static_cast<unsigned char>(c) < ' ' && !is_gap(c)) return false;
-  for (std::size_t k = 0; k < std::min<std::size_t>(parts.count, 3); ++k) {
-    std::string_view word = parts.tokens[k];
+  for (std::string_view word : parts.tokens) {
+    if (word.empty()) break;
     if (word.starts_with('"') || word.starts_with('\'')) word.remove_prefix(1);
     if (word.empty() || !is_letter(word.front())) return false;
     Rational unused;
@@ -98,8 +98,12 @@ bool is_heading(std::string_view line, const Split& parts) {
 
 }  // namespace
 
-PointLines::PointLines(Decimals decimals, const ReadLimits& limits)
-    : decimals_(decimals), limits_(limits), exact_limits_(limits), reader_(limits) {
+PointLines::PointLines(Decimals decimals, const ReadLimits& limits, std::size_t dimension)
+    : decimals_(decimals),
+      dimension_(dimension),
+      limits_(limits),
+      exact_limits_(limits),
+      reader_(limits) {
   exact_limits_.max_exponent = std::min(limits.max_exponent, kMostPointExponent);
 }
 
@@ -138,11 +142,11 @@ std::optional<ReadPoint> PointLines::read(std::string_view line, std::optional<P
   if (start == line.npos || line[start] == '#') return std::nullopt;
   const bool is_first = std::exchange(is_first_, false);
   if (is_first && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
-  const Split parts = split(line);
+  const Split parts = split(line, dimension_);
   if (is_first && is_heading(line, parts)) return std::nullopt;
   ReadPoint out;
   std::array<std::variant<double, Rational>, 3> values;
-  for (std::size_t k = 0; k < std::min<std::size_t>(parts.count, 3); ++k) {
+  for (std::size_t k = 0; k < std::min(parts.count, dimension_); ++k) {
     std::string why;
     if (!read_token(parts.tokens[k], values[k], why) && !fault)
       fault = PointFault{static_cast<std::size_t>(parts.tokens[k].data() - line.data()) + 1,
@@ -150,10 +154,10 @@ std::optional<ReadPoint> PointLines::read(std::string_view line, std::optional<P
   }
   if (!fault && parts.fault != 0)
     fault = PointFault{parts.fault, "a number is missing beside this mark"};
-  if (!fault && parts.count != 3)
-    fault =
-        PointFault{parts.count > 3 ? parts.fourth : line.size() + 1,
-                   "a point has three coordinates, but there are " + std::to_string(parts.count)};
+  if (!fault && parts.count != dimension_)
+    fault = PointFault{parts.count > dimension_ ? parts.surplus : line.size() + 1,
+                       "a point has " + std::string(dimension_ == 3 ? "three" : "two") +
+                           " coordinates, but there are " + std::to_string(parts.count)};
   if (fault) return std::nullopt;
   out.tokens = parts.tokens;
   const auto is_double = [&](std::size_t k) { return std::holds_alternative<double>(values[k]); };

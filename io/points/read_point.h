@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/points/read_point.h: points from lines of text: three coordinates a line.
+// io/points/read_point.h: points from lines of text: three coordinates a line, or two.
 #pragma once
 #include <array>
 #include <optional>
@@ -19,7 +19,7 @@ namespace veritope {
 enum class Decimals { kNearest, kExact };
 
 struct ReadPoint {
-  std::array<std::string_view, 3> tokens;  ///< of the line
+  std::array<std::string_view, 3> tokens;  ///< of the line; the third one is empty in the plane
   /// Vec3d if binary64 has all three coordinates.
   std::variant<Vec3d, ExactPoint> point;
 };
@@ -39,7 +39,8 @@ inline constexpr std::uint32_t kMostPointExponent = 4096;
 /// numbers are exact.
 class PointLines {
  public:
-  PointLines(Decimals decimals, const ReadLimits& limits);
+  /// @param dimension  the number of coordinates of a point: 3, or 2 with z = 0
+  PointLines(Decimals decimals, const ReadLimits& limits, std::size_t dimension = 3);
 
   /// Nothing for a line without a point: empty, a comment after #, or a first line that consists of words. REQUIRES 8
   /// readable bytes after the line.
@@ -51,6 +52,7 @@ class PointLines {
                   std::string& why) const;
 
   Decimals decimals_;
+  std::size_t dimension_;
   ReadLimits limits_;
   ReadLimits exact_limits_;  ///< of decimals that are exact, hexadecimal numbers and fractions
   DecimalReader reader_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "robust/base/fp_guard.h"
+#include "solids/chain/patch_cell.h"
 #include "solids/classify/patch_rays.h"
 #include "solids/pieces/box_hierarchy.h"
 
@@ -82,12 +83,13 @@ class NormalChain::Body {
                                     : counts_.mixed);
       if (patch.is_flat_triangle()) continue;  // it is its base
       first_.push_back(static_cast<std::uint32_t>(forms.size()));
+      cells_of_patches_.push_back({base_triangles(patch), coefficient_of(sign)});
       for (TensorForm& form : free_form_cell(patch, scale_, cell * kEdgesOfCell, cell))
         forms.push_back(std::move(form));
       ++cell;
     }
     first_.push_back(static_cast<std::uint32_t>(forms.size()));
-    rays_.emplace(std::move(forms), scale_);
+    rays_ = std::make_shared<const PatchRays>(std::move(forms), scale_);
     std::vector<Box3d> boxes(cell, empty_box());
     for (std::uint32_t c = 0; c < cell; ++c)
       for (std::uint32_t p = first_[c]; p < first_[c + 1]; ++p)
@@ -109,6 +111,19 @@ class NormalChain::Body {
       if (const auto sum = value_off_walls(beside, origin)) return sum;
     }
     return std::nullopt;
+  }
+
+  Chain<3> chain(const ExactPoint& origin) const {
+    Chain<3> out = original_simplices<3>(bases_, origin);
+    std::vector<ChainTerm<3>> terms = out.terms();
+    for (std::uint32_t c = 0; c < cells_of_patches_.size(); ++c) {
+      const auto& [bases, sign] = cells_of_patches_[c];
+      if (sign == 0) continue;
+      auto cell = std::make_shared<const PatchCell>(rays_, first_[c], first_[c + 1], bases, sign);
+      const Box3d box = cell->box();
+      terms.push_back({Integer(sign), {std::move(cell)}, box});
+    }
+    return Chain<3>::from_terms(std::move(terms));
   }
 
   CellCounts simplices(const ExactPoint& origin) const {
@@ -150,8 +165,13 @@ class NormalChain::Body {
   const PatchRays surface_;
   std::vector<BaseTriangle> bases_;
   std::vector<Box3d> boxes_of_bases_;
-  std::optional<PatchRays> rays_;     // the patches of all free-form cells
-  std::vector<std::uint32_t> first_;  // of each cell
+  std::shared_ptr<const PatchRays> rays_;  // the patches of all free-form cells
+  std::vector<std::uint32_t> first_;       // of each cell
+  struct CellOfPatch {
+    std::vector<BaseTriangle> bases;
+    int sign;
+  };
+  std::vector<CellOfPatch> cells_of_patches_;
   BoxHierarchy cells_;
   CellCounts counts_;
 };
@@ -166,6 +186,10 @@ NormalChain::~NormalChain() = default;
 std::optional<int> NormalChain::value(const ExactPoint& point, const ExactPoint& origin) const {
   const ScopedDefaultFp nearest;
   return body_->value(point, origin);
+}
+Chain<3> NormalChain::chain(const ExactPoint& origin) const {
+  const ScopedDefaultFp nearest;
+  return body_->chain(origin);
 }
 CellCounts NormalChain::simplices(const ExactPoint& origin) const {
   return body_->simplices(origin);

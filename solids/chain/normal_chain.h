@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robust/base/sign.h"
+#include "solids/chain/chain.h"
 #include "solids/chain/free_form_cell.h"
 #include "solids/classify/point_answer.h"
 #include "solids/patches/patch_complex.h"
@@ -32,6 +33,12 @@ class NormalChain {
   /// simplices it is the sum at one point beside Q for all cells, which no patch separates from Q. Nothing on a patch
   /// or a strip, or if 256 halvings of the patches do not tell that Q is on none.
   std::optional<int> value(const ExactPoint& point, const ExactPoint& origin) const;
+
+  /// The chain itself, formula (1) of theorem 1: the original simplices from the origin with the signs of their
+  /// volumes, and the free-form cells with theirs. Its f is definition 3's: on flat walls it counts closed cells.
+  /// Simplices without an interior and patches in their bases have the coefficient 0 and are left out. It shares the
+  /// patches of the cells with this object, and may outlive it.
+  Chain<3> chain(const ExactPoint& origin) const;
 
   CellCounts simplices(const ExactPoint& origin) const;
   CellCounts free_form_cells() const;

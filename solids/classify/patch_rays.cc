@@ -119,6 +119,13 @@ bool PatchRays::misses(const Box3d& box) const {
   return misses;
 }
 
+bool PatchRays::misses(const Box3d& box, std::uint32_t first, std::uint32_t last) const {
+  BoxDescent descent(box);
+  for (std::uint32_t p = first; p < last; ++p)
+    if (meets(boxes_of_patches_[p], box) && !descent.misses(SheetNet(forms_[p]))) return false;
+  return true;
+}
+
 AxisRay PatchRays::ray_from(const RayPoint& point) const {
   AxisRay out;
   double least = std::numeric_limits<double>::infinity();

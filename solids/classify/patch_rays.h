@@ -40,6 +40,8 @@ class PatchRays {
 
   /// Whether hulls of pieces, cut until they are small beside the box, all miss it; the box is divided as the nets.
   bool misses(const Box3d& box) const;
+  /// Whether this holds for patches first, ..., last - 1, each of which is looked at.
+  bool misses(const Box3d& box, std::uint32_t first, std::uint32_t last) const;
 
   /// The windings that patches first, ..., last - 1, a closed chain, have around the point, along ray_from; in doubles,
   /// then in integers, down to pieces of 2^-levels of a patch. Open if the point may be on one of them.

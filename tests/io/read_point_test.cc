@@ -51,6 +51,21 @@ TEST(ReadPoint, SeparatesCoordinatesByBlanksAndOneMark) {
   EXPECT_EQ(read("1,2,3,"), "6: a number is missing beside this mark");
 }
 
+TEST(ReadPoint, TakesTwoCoordinatesInThePlane) {
+  PointLines lines(Decimals::kExact, {}, 2);
+  EXPECT_EQ(read(lines, "x;y"), "-");
+  EXPECT_EQ(read(lines, "1,2/4"), "1 1/2 0");
+  EXPECT_EQ(read(lines, "1/3 2"), "1/3 2 0 exact");
+  EXPECT_EQ(read(lines, "1 2 3"), "5: a point has two coordinates, but there are 3");
+  EXPECT_EQ(read(lines, "1"), "2: a point has two coordinates, but there are 1");
+  EXPECT_EQ(read(lines, "1 nan"), "3: 'nan' is not finite");
+  EXPECT_EQ(read(lines, "1,2,"), "4: a number is missing beside this mark");
+  const Line line("5;7");
+  std::optional<PointFault> fault;
+  EXPECT_EQ(lines.read(line.view(), fault)->tokens,
+            (std::array<std::string_view, 3>{"5", "7", ""}));
+}
+
 TEST(ReadPoint, SkipsEmptyLinesCommentsAndAFirstLineOfWords) {
   PointLines lines(Decimals::kNearest, {});
   EXPECT_EQ(read(lines, ""), "-");
@@ -65,9 +80,13 @@ TEST(ReadPoint, SkipsEmptyLinesCommentsAndAFirstLineOfWords) {
 }
 
 TEST(ReadPoint, RefusesAFirstLineThatIsMeantToBeAPoint) {
-  for (const char* text :
-       {"nan nan nan", "inf -inf NaN", "1e999 1e999 1e999", "1d0 2d0 3d0", "\"1\",\"2\",\"3\"",
-        "\x93NUMPY\x01", "\xff\xfe" "1", "a\x01" " b c", "-x -y -z"}) {
+  for (const char* text : {"nan nan nan", "inf -inf NaN", "1e999 1e999 1e999", "1d0 2d0 3d0",
+                           "\"1\",\"2\",\"3\"", "\x93NUMPY\x01",
+                           "\xff\xfe"
+                           "1",
+                           "a\x01"
+                           " b c",
+                           "-x -y -z"}) {
     PointLines lines(Decimals::kNearest, {});
     EXPECT_EQ(read(lines, text).substr(0, 2), "1:") << text;
   }
@@ -140,6 +159,21 @@ TEST(NpyHeader, HasTypeAndNumberOfPoints) {
   ASSERT_TRUE(big);
   EXPECT_TRUE(big->is_big_endian);
   EXPECT_EQ(big->row_bytes(), 12u);
+}
+
+TEST(NpyHeader, HasTwoColumnsInThePlane) {
+  const std::string two = npy("{'descr': '<f8', 'fortran_order': False, 'shape': (7, 2), }"),
+                    three = npy("{'descr': '<f4', 'fortran_order': False, 'shape': (7, 3), }");
+  const auto header = [](const std::string& bytes) {
+    return read_npy_header({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, 2);
+  };
+  ASSERT_TRUE(header(two));
+  EXPECT_EQ(header(two)->row_bytes(), 16u);
+  const unsigned char row[16] = {0, 0, 0, 0, 0, 0, 0xf0, 0x3f, 0, 0, 0, 0, 0, 0, 0, 0xc0};
+  EXPECT_EQ(npy_row(*header(two), row), (Vec3d{1, -2, 0}));
+  ASSERT_FALSE(header(three));
+  EXPECT_EQ(header(three).error().message,
+            "a .npy file, but with the shape (7,3) instead of (n, 2)");
 }
 
 TEST(NpyHeader, RefusesOtherArraysAndBrokenHeaders) {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "io/base/exact_number.h"
 #include "robust/base/parallel.h"
 #include "robust/base/stopwatch.h"
 #include "solids/chain/normal_chain.h"
@@ -43,20 +42,6 @@ Status classify_by_chain(const PatchComplex& complex, const ExactPoint& origin, 
   }
   report.seconds_classify = watch.lap();
   return ok_status();
-}
-
-std::string take_origin(const std::string& text, ExactPoint& origin) {
-  std::size_t begin = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
-    if (end == text.npos) return "needs three numbers X,Y,Z, not " + text;
-    const std::string token = text.substr(begin, end - begin);
-    if (read_exact_number(token, {}, origin[k]) != DecimalFault::kNone)
-      return "needs three decimals, fractions or hexadecimal numbers X,Y,Z, and has '" + token +
-             "'";
-    begin = end + 1;
-  }
-  return "";
 }
 
 }  // namespace veritope::cli

@@ -13,7 +13,4 @@ namespace veritope::cli {
 Status classify_by_chain(const PatchComplex& complex, const ExactPoint& origin, PointSource& source,
                          unsigned jobs, const WriteAnswers& write, report::ClassifyReport& report);
 
-/// Reads "X,Y,Z": three decimals, fractions or hexadecimal numbers, exactly. @return what is wrong; empty: nothing
-std::string take_origin(const std::string& text, ExactPoint& origin);
-
 }  // namespace veritope::cli

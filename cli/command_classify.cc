@@ -5,6 +5,7 @@
 
 #include "cli/certification.h"
 #include "cli/chain_classification.h"
+#include "cli/chain_origin.h"
 #include "cli/checker_process.h"
 #include "cli/classification.h"
 #include "cli/commands.h"
@@ -32,7 +33,7 @@ struct ClassifyOptions {
   std::optional<std::string> output, certificate, json;
   std::optional<Decimals> decimals;
   bool winding = false, no_check = false, by_chain = false;
-  std::optional<ExactPoint> origin;
+  std::optional<ChainOrigin> origin;
   int jobs = default_jobs();
 };
 
@@ -62,7 +63,7 @@ void declare(OptionSet& set, ClassifyOptions& o) {
       "--by", "HOW", [&o](const std::string& t) { return take_way(t, o.by_chain); },
       "service (default); normal: f by the normal chain");
   set.option(
-      "--origin", "X,Y,Z",
+      "--origin", "X,Y,Z|auto",
       [&o](const std::string& t) { return take_origin(t, o.origin.emplace()); },
       "the chain's origin (0,0,0)");
   declare_jobs(set, o.jobs);
@@ -303,7 +304,8 @@ class ClassifyRun {
     progress_.phase(shown_path(path()), "classifying");
     const ExitCode exit =
         with_answers(decimals, [&](PointSource& source, const WriteAnswers& write) {
-          return cli::classify_by_chain(complex, options_.origin.value_or(ExactPoint()), source,
+          const ExactPoint origin = origin_for(complex, options_.origin.value_or(ChainOrigin()));
+          return cli::classify_by_chain(complex, origin, source,
                                         static_cast<unsigned>(options_.jobs), write, report_);
         });
     return exit == kExitValid ? write_json() : exit;

@@ -5,12 +5,20 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "solids/chain/literal_hypotheses.h"
 #include "solids/classify/point_answer.h"
 #include "solids/patches/patch_complex.h"
 
 namespace veritope {
+
+struct LiteralValue {
+  std::optional<int>
+      f;  ///< nothing: on or so near a curved wall that kMostLevels halvings do not tell
+  std::optional<int>
+      regular;  ///< f*; nothing without f, or if more than 48 planes meet at the point
+};
 
 class LiteralChain {
  public:
@@ -21,6 +29,12 @@ class LiteralChain {
 
   /// Whether what the paper assumes is true of the model.
   LiteralHypotheses hypotheses() const;
+
+  /// f, definition 3: the sum of the coefficients of the closed cells that hold the point, simplices from the origin
+  /// and parts of wedges. And f*, definition 6, if all cells are cones with flat sides near the point. Curved walls are
+  /// the patches, and what lies between their boundaries and the planes of their bases, along the base's normal.
+  /// @cost one search in each cell whose box and wedge hold the point, about a millisecond
+  LiteralValue value(const ExactPoint& point, const ExactPoint& origin) const;
 
  private:
   class Body;

@@ -37,6 +37,14 @@ struct PlanesAtVertex {
   }
 };
 
+// Whether a is nearer to kHolds than b.
+bool is_better(const PlaceAnswer& a, const PlaceAnswer& b) {
+  const auto rank = [](const PlaceAnswer& x) {
+    return x.decision == Decision::kHolds ? 0 : x.decision == Decision::kOpen ? 1 : 2;
+  };
+  return rank(a) < rank(b);
+}
+
 // Where the vertices of a complex are: the first facet's corner at each.
 struct VertexPlace {
   std::uint32_t facet = LiteralFacet::kNone;
@@ -60,56 +68,12 @@ std::string ends_text(const LiteralFacet& facet, std::size_t k) {
          approx_text(facet.corners[(k + 1) % 3]);
 }
 
-void add(LiteralHypothesis& out, const GraphAnswer& answer, const std::string& name) {
+void add(LiteralHypothesis& out, const PlaceAnswer& answer, const std::string& name) {
   ++out.places;
   if (answer.decision == Decision::kHolds) return;
   const bool is_first_violation = answer.decision == Decision::kViolated && out.violations == 0;
   if (is_first_violation || out.first.empty()) out.first = name + ": " + answer.why;
   ++(answer.decision == Decision::kViolated ? out.violations : out.undecided);
-}
-
-// G1: the patch is in its wedge.
-GraphAnswer is_in_wedge(const LiteralFacet& facet) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const NowhereNegative f =
-        nowhere_negative(linear_form(facet, facet.walls[k], facet.offsets[k]));
-    if (f.decision == Decision::kViolated)
-      return {f.decision, "the patch leaves its wedge at " +
-                              approx_text(point_at(facet, *f.where)) + ", across the plane of " +
-                              ends_text(facet, k)};
-    if (f.decision == Decision::kOpen)
-      return {f.decision, "whether the patch leaves its wedge across the plane of " +
-                              ends_text(facet, k) + " is undecided"};
-  }
-  return {};
-}
-
-// G2: no line along the base's normal crosses the patch from its front.
-GraphAnswer faces_one_way(const LiteralFacet& facet) {
-  const NowhereNegative f = nowhere_negative(jacobian_form(facet));
-  if (f.decision == Decision::kViolated)
-    return {f.decision, "the patch turns its back at " + approx_text(point_at(facet, *f.where)) +
-                            ", seen along the base's normal"};
-  if (f.decision == Decision::kOpen)
-    return {f.decision, "whether the patch turns its back anywhere is undecided"};
-  if (f.is_zero) return {Decision::kViolated, "the patch stands on its base like a wall"};
-  return {};
-}
-
-// G3: from the side curve towards the base one leaves the wedge, or stays in the plane of the wall.
-GraphAnswer overhangs(const LiteralFacet& facet, std::size_t k) {
-  const Sign lean = dot(facet.walls[k], facet.normal).sign();
-  if (lean == 0) return {};
-  std::vector<Rational> h = side_form(facet, k, facet.normal, dot(facet.normal, facet.corners[0]));
-  if (lean < 0)
-    for (Rational& c : h) c.negate();
-  const NowhereNegativeCurve f = nowhere_negative(std::move(h));
-  if (f.decision == Decision::kViolated)
-    return {f.decision, "the wedge reaches over the patch at " + ends_text(facet, k)};
-  if (f.decision == Decision::kOpen)
-    return {f.decision,
-            "whether the wedge reaches over the patch at " + ends_text(facet, k) + " is undecided"};
-  return {};
 }
 
 }  // namespace
@@ -158,7 +122,7 @@ LiteralHypothesis curves_in_planes(const PatchComplex& complex, const LiteralFac
   for (const LiteralEdge& e : facets.edges()) {
     const LiteralFacet& facet = facets.facets()[e.facets[0]];
     const std::size_t k = e.sides[0];
-    GraphAnswer answer;
+    PlaceAnswer answer;
     if (is_zero(e.plane)) {
       answer = {Decision::kViolated, ends_text(facet, k) + " has no plane"};
     } else if (facet.map) {
@@ -171,32 +135,69 @@ LiteralHypothesis curves_in_planes(const PatchComplex& complex, const LiteralFac
   return out;
 }
 
-GraphAnswer is_graph(const LiteralFacet& facet) {
-  if (!facet.has_wedge)
-    return {Decision::kViolated,
-            is_zero(facet.normal)
-                ? "the base has no area"
-                : "a side has no plane, or that of the base, and there is no wedge"};
+PlaceAnswer is_in_wedge(const LiteralFacet& facet) {
   if (!facet.map) return {};
-  GraphAnswer out;
-  const auto take = [&](GraphAnswer next) {
-    const bool is_worse = out.decision == Decision::kHolds ||
-                          (out.decision == Decision::kOpen && next.decision == Decision::kViolated);
-    if (next.decision != Decision::kHolds && is_worse) out = std::move(next);
-    return out.decision == Decision::kViolated;
-  };
-  if (take(is_in_wedge(facet))) return out;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (take(overhangs(facet, k))) return out;
-  take(faces_one_way(facet));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const NowhereNegative f =
+        nowhere_negative(linear_form(facet, facet.walls[k], facet.offsets[k]));
+    if (f.decision == Decision::kViolated)
+      return {f.decision, "the patch leaves its wedge at " +
+                              approx_text(point_at(facet, *f.where)) + ", across the plane of " +
+                              ends_text(facet, k)};
+    if (f.decision == Decision::kOpen)
+      return {f.decision, "whether the patch leaves its wedge across the plane of " +
+                              ends_text(facet, k) + " is undecided"};
+  }
+  return {};
+}
+
+PlaceAnswer is_facing(const LiteralFacet& facet) {
+  if (!facet.map) return {};
+  const NowhereNegative f = nowhere_negative(jacobian_form(facet));
+  if (f.decision == Decision::kViolated)
+    return {f.decision, "the patch turns its back at " + approx_text(point_at(facet, *f.where)) +
+                            ", seen along the base's normal"};
+  if (f.decision == Decision::kOpen)
+    return {f.decision, "whether the patch turns its back anywhere is undecided"};
+  if (f.is_zero) return {Decision::kViolated, "the patch stands on its base like a wall"};
+  return {};
+}
+
+PlaceAnswer is_upright(const LiteralFacet& facet) {
+  PlaceAnswer out;
+  for (std::size_t k = 0; facet.map && k < 3; ++k) {
+    const Sign lean = dot(facet.walls[k], facet.normal).sign();
+    if (lean == 0) continue;
+    std::vector<Rational> h =
+        side_form(facet, k, facet.normal, dot(facet.normal, facet.corners[0]));
+    if (lean < 0)
+      for (Rational& c : h) c.negate();
+    const NowhereNegativeCurve f = nowhere_negative(std::move(h));
+    if (f.decision == Decision::kViolated)
+      return {f.decision, "the wedge reaches over the patch at " + ends_text(facet, k)};
+    if (f.decision == Decision::kOpen)
+      out = {f.decision, "whether the wedge reaches over the patch at " + ends_text(facet, k) +
+                             " is undecided"};
+  }
   return out;
 }
 
-LiteralHypothesis graphs(const PatchComplex& complex, const LiteralFacets& facets) {
-  LiteralHypothesis out;
-  for (const LiteralFacet& facet : facets.facets())
-    add(out, is_graph(facet), name_of(complex, facet));
-  return out;
+void decide_graphs(const PatchComplex& complex, const LiteralFacets& facets,
+                   LiteralHypotheses& out) {
+  for (const LiteralFacet& facet : facets.facets()) {
+    const std::string name = name_of(complex, facet);
+    std::array<PlaceAnswer, 3> answers;
+    if (facet.has_wedge)
+      answers = {is_in_wedge(facet), is_facing(facet), is_upright(facet)};
+    else
+      answers.fill({Decision::kViolated, is_zero(facet.normal)
+                                             ? "the base has no area"
+                                             : "a side has no plane, or that of the base"});
+    add(out.in_wedges, answers[0], name);
+    add(out.facing, answers[1], name);
+    add(out.upright, answers[2], name);
+    add(out.graphs, *std::max_element(answers.begin(), answers.end(), is_better), name);
+  }
 }
 
 }  // namespace veritope::internal

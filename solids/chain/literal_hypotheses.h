@@ -26,8 +26,12 @@ struct LiteralHypotheses {
   LiteralHypothesis planes_share_lines;
   /// At each edge: its plane exists, and the boundary curve lies in it.
   LiteralHypothesis curves_in_planes;
-  /// At each base triangle: it has a wedge, and its patch is a graph over it: conditions G1 to G3 of CHAIN-6.
+  /// At each base triangle: it has a wedge, and its patch is a graph over it, which means the next three together.
   LiteralHypothesis graphs;
+  LiteralHypothesis in_wedges;  ///< CHAIN-6.G1: the patch is in the wedge
+  LiteralHypothesis
+      facing;  ///< CHAIN-6.G2: it nowhere turns its back, seen along the normal of the base
+  LiteralHypothesis upright;  ///< CHAIN-6.G3: the wedge nowhere reaches over the patch
 };
 
 }  // namespace veritope

@@ -13,13 +13,18 @@ namespace veritope::internal {
 LiteralHypothesis planes_share_lines(const PatchComplex& complex, const LiteralFacets& facets);
 LiteralHypothesis curves_in_planes(const PatchComplex& complex, const LiteralFacets& facets);
 
-/// The answer for one facet, and why it is not kHolds.
-struct GraphAnswer {
+/// An answer at one place, and why it is not kHolds.
+struct PlaceAnswer {
   Decision decision = Decision::kHolds;
   std::string why;
 };
-GraphAnswer is_graph(const LiteralFacet& facet);
-LiteralHypothesis graphs(const PatchComplex& complex, const LiteralFacets& facets);
+/// CHAIN-6.G1 to G3. REQUIRES has_wedge.
+PlaceAnswer is_in_wedge(const LiteralFacet& facet);
+PlaceAnswer is_facing(const LiteralFacet& facet);
+PlaceAnswer is_upright(const LiteralFacet& facet);
+/// Fills graphs, in_wedges, facing and upright.
+void decide_graphs(const PatchComplex& complex, const LiteralFacets& facets,
+                   LiteralHypotheses& out);
 
 /// "facet 3", "surface 0, span (0, 1), second half".
 std::string name_of(const PatchComplex& complex, const LiteralFacet& facet);

@@ -5,21 +5,36 @@
 #include <optional>
 #include <vector>
 
-#include "io/base/exact_number.h"
 #include "robust/base/parallel.h"
 #include "robust/base/stopwatch.h"
+#include "solids/chain/literal_chain.h"
 #include "solids/chain/normal_chain.h"
 
 namespace veritope::cli {
 
-Status classify_by_chain(const PatchComplex& complex, const ExactPoint& origin, PointSource& source,
-                         unsigned jobs, const WriteAnswers& write, report::ClassifyReport& report) {
+namespace {
+
+struct ChainAnswer {
+  std::optional<int> f, regular;
+};
+
+ChainAnswer answer_of(const NormalChain& chain, const ExactPoint& q, const ExactPoint& origin) {
+  return {chain.value(q, origin), std::nullopt};
+}
+ChainAnswer answer_of(const LiteralChain& chain, const ExactPoint& q, const ExactPoint& origin) {
+  const LiteralValue value = chain.value(q, origin);
+  return {value.f, value.regular};
+}
+
+template <typename Chain>
+Status answer_all(const PatchComplex& complex, const ExactPoint& origin, PointSource& source,
+                  unsigned jobs, const WriteAnswers& write, report::ClassifyReport& report) {
   Stopwatch watch;
-  const NormalChain chain(complex);
+  const Chain chain(complex);
   report.seconds_build = watch.lap();
   PointBatch batch;
   std::vector<ExactPoint> points;
-  std::vector<std::optional<int>> values;
+  std::vector<ChainAnswer> answers;
   std::string lines;
   for (;;) {
     if (const Status status = source.next(batch); !status) return status.error();
@@ -29,14 +44,16 @@ Status classify_by_chain(const PatchComplex& complex, const ExactPoint& origin, 
       for (std::size_t k = 0; k < 3; ++k)
         points[i][k] = Rational::from_double(batch.points[i][static_cast<int>(k)]);
     for (const auto& [at, point] : batch.exact) points[at] = point;
-    values.assign(batch.size(), std::nullopt);
+    answers.assign(batch.size(), {});
     parallel_for(batch.size(), 16, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) values[i] = chain.value(points[i], origin);
+      for (std::size_t i = begin; i < end; ++i) answers[i] = answer_of(chain, points[i], origin);
     });
     lines.clear();
     for (std::size_t i = 0; i < batch.size(); ++i) {
+      const auto& [f, regular] = answers[i];
       lines += batch.text(i);
-      lines += " - " + (values[i] ? std::to_string(*values[i]) : std::string("wall")) + " -\n";
+      lines += " - " + (f ? std::to_string(*f) : "wall");
+      lines += " " + (regular ? std::to_string(*regular) : "-") + "\n";
     }
     report.points += batch.size();
     if (const Status status = write(lines); !status) return status.error();
@@ -45,18 +62,14 @@ Status classify_by_chain(const PatchComplex& complex, const ExactPoint& origin, 
   return ok_status();
 }
 
-std::string take_origin(const std::string& text, ExactPoint& origin) {
-  std::size_t begin = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
-    if (end == text.npos) return "needs three numbers X,Y,Z, not " + text;
-    const std::string token = text.substr(begin, end - begin);
-    if (read_exact_number(token, {}, origin[k]) != DecimalFault::kNone)
-      return "needs three decimals, fractions or hexadecimal numbers X,Y,Z, and has '" + token +
-             "'";
-    begin = end + 1;
-  }
-  return "";
+}  // namespace
+
+Status classify_by_chain(const PatchComplex& complex, ChainKind kind, const ExactPoint& origin,
+                         PointSource& source, unsigned jobs, const WriteAnswers& write,
+                         report::ClassifyReport& report) {
+  return kind == ChainKind::kNormal
+             ? answer_all<NormalChain>(complex, origin, source, jobs, write, report)
+             : answer_all<LiteralChain>(complex, origin, source, jobs, write, report);
 }
 
 }  // namespace veritope::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/chain_classification.h: the f of points by the normal chain of a model, for study: classify --by normal.
+// cli/chain_classification.h: the f of points by a chain of a model, for study: classify --by normal and literal.
 #pragma once
 #include <string>
 
@@ -8,12 +8,12 @@
 
 namespace veritope::cli {
 
-/// For each point one line: its coordinates, "-", f or "wall", and "-". Fills the numbers of the report.
-/// REQUIRES a closed oriented surface. @error as PointSource and WriteAnswers
-Status classify_by_chain(const PatchComplex& complex, const ExactPoint& origin, PointSource& source,
-                         unsigned jobs, const WriteAnswers& write, report::ClassifyReport& report);
+enum class ChainKind { kNormal, kLiteral };
 
-/// Reads "X,Y,Z": three decimals, fractions or hexadecimal numbers, exactly. @return what is wrong; empty: nothing
-std::string take_origin(const std::string& text, ExactPoint& origin);
+/// For each point one line: its coordinates, "-", f or "wall", and "-" or, by the literal chain, f* where there is one.
+/// Fills the numbers of the report. REQUIRES a closed oriented surface. @error as PointSource and WriteAnswers
+Status classify_by_chain(const PatchComplex& complex, ChainKind kind, const ExactPoint& origin,
+                         PointSource& source, unsigned jobs, const WriteAnswers& write,
+                         report::ClassifyReport& report);
 
 }  // namespace veritope::cli

@@ -5,9 +5,11 @@
 
 #include "cli/certification.h"
 #include "cli/chain_classification.h"
+#include "cli/chain_origin.h"
 #include "cli/checker_process.h"
 #include "cli/classification.h"
 #include "cli/commands.h"
+#include "cli/did_you_mean.h"
 #include "cli/expression_classification.h"
 #include "cli/expression_operands.h"
 #include "cli/output_plan.h"
@@ -32,8 +34,9 @@ struct ClassifyOptions {
   std::vector<std::string> files;  // MODEL, POINTS
   std::optional<std::string> output, certificate, json;
   std::optional<Decimals> decimals;
-  bool winding = false, no_check = false, by_chain = false, orient_auto = false;
-  std::optional<ExactPoint> origin;
+  bool winding = false, no_check = false, orient_auto = false;
+  std::optional<ChainKind> by_chain;
+  std::optional<ChainOrigin> origin;
   int jobs = default_jobs();
 };
 
@@ -43,9 +46,15 @@ std::string take_decimals(const std::string& text, std::optional<Decimals>& deci
   return "";
 }
 
-std::string take_way(const std::string& text, bool& by_chain) {
-  if (text != "service" && text != "normal") return "must be service or normal, not " + text;
-  by_chain = text == "normal";
+std::string take_way(const std::string& text, std::optional<ChainKind>& by_chain) {
+  by_chain.reset();
+  if (text == "normal")
+    by_chain = ChainKind::kNormal;
+  else if (text == "literal")
+    by_chain = ChainKind::kLiteral;
+  else if (text != "service")
+    return "must be service, normal or literal, not " + text +
+           did_you_mean(text, {"service", "normal", "literal"});
   return "";
 }
 
@@ -61,9 +70,9 @@ void declare(OptionSet& set, ClassifyOptions& o) {
       "nearest: rounded to binary64 (default: meshes); or exact");
   set.option(
       "--by", "HOW", [&o](const std::string& t) { return take_way(t, o.by_chain); },
-      "service (default); normal: f by the normal chain");
+      "service (default); f by a chain: normal, literal");
   set.option(
-      "--origin", "X,Y,Z",
+      "--origin", "X,Y,Z|auto",
       [&o](const std::string& t) { return take_origin(t, o.origin.emplace()); },
       "the chain's origin (0,0,0)");
   declare_orientation(set, o.orient_auto, "faces, patches");
@@ -77,10 +86,10 @@ std::string contradiction(const ClassifyOptions& o) {
   if (o.certificate && (!o.output || is_stream(*o.output)))
     return "--certificate needs -o with the name of a file, which the checker can read";
   if (o.certificate == "-") return "--certificate needs a file name, not -";
-  if (o.by_chain && o.certificate) return "--certificate is not for --by normal";
+  if (o.by_chain && o.certificate) return "--certificate is not for --by normal or literal";
   if (o.orient_auto && o.winding)
     return "--winding takes the orientation of the file: not with --orient auto";
-  if (o.origin && !o.by_chain) return "--origin requires --by normal";
+  if (o.origin && !o.by_chain) return "--origin requires --by normal or literal";
   if (o.json == "-" && (!o.output || *o.output == "-"))
     return "the answers and --json would both write standard output";
   if (o.files.size() == 2 && o.files[0] == "-" && o.files[1] == "-")
@@ -131,7 +140,7 @@ class ClassifyRun {
          {std::pair("--winding", options_.winding),
           std::pair("--certificate", options_.certificate.has_value()),
           std::pair("--orient auto", options_.orient_auto),
-          std::pair("--by normal", options_.by_chain)})
+          std::pair("--by", options_.by_chain.has_value())})
       if (is_given)
         return complain(std::string(option) + " is for models, and " + harmless(path()) +
                         " is an expression of solids"),
@@ -251,7 +260,8 @@ class ClassifyRun {
   ExitCode take_plane() {
     for (const auto& [option, is_given] :
          {std::pair("--certificate", options_.certificate.has_value()),
-          std::pair("--by normal", options_.by_chain)})
+          std::pair("--orient auto", options_.orient_auto),
+          std::pair("--by", options_.by_chain.has_value())})
       if (is_given)
         return complain(std::string(option) + " is for models in space, and " + harmless(path()) +
                         " has curves of the plane"),
@@ -369,7 +379,8 @@ class ClassifyRun {
     progress_.phase(shown_path(path()), "classifying");
     const ExitCode exit =
         with_answers(decimals, [&](PointSource& source, const WriteAnswers& write) {
-          return cli::classify_by_chain(complex, options_.origin.value_or(ExactPoint()), source,
+          const ExactPoint origin = origin_for(complex, options_.origin.value_or(ChainOrigin()));
+          return cli::classify_by_chain(complex, *options_.by_chain, origin, source,
                                         static_cast<unsigned>(options_.jobs), write, report_);
         });
     return exit == kExitValid ? write_json() : exit;

@@ -64,7 +64,19 @@ std::optional<int> simplex_value(const BaseTriangle& t, const ExactPoint& origin
   return to_int(sign);
 }
 
+void count(const BaseTriangle& t, const ExactPoint& origin, CellCounts& out) {
+  const Sign s = orientation(origin, t[0], t[1], t[2]);
+  ++(s > 0 ? out.plus : s < 0 ? out.minus : out.zero);
+}
+
 }  // namespace
+
+CellCounts count_simplices(const PatchComplex& complex, const ExactPoint& origin) {
+  CellCounts out;
+  for (const Patch& patch : complex.patches())
+    for (const BaseTriangle& t : base_triangles(patch)) count(t, origin, out);
+  return out;
+}
 
 class NormalChain::Body {
  public:
@@ -128,10 +140,7 @@ class NormalChain::Body {
 
   CellCounts simplices(const ExactPoint& origin) const {
     CellCounts out;
-    for (const BaseTriangle& t : bases_) {
-      const Sign s = orientation(origin, t[0], t[1], t[2]);
-      ++(s > 0 ? out.plus : s < 0 ? out.minus : out.zero);
-    }
+    for (const BaseTriangle& t : bases_) count(t, origin, out);
     return out;
   }
   const CellCounts& free_form_cells() const { return counts_; }

@@ -22,6 +22,9 @@ struct CellCounts {
   std::uint64_t plus = 0, minus = 0, zero = 0, mixed = 0;
 };
 
+/// The simplices of the normal chain, without making the chain.
+CellCounts count_simplices(const PatchComplex& complex, const ExactPoint& origin);
+
 class NormalChain {
  public:
   /// REQUIRES a closed oriented surface. The complex need not outlive the chain.

@@ -102,11 +102,11 @@ class Places {
 };
 
 template <std::size_t Dim>
-class Decision {
+class NormalityDecision {
  public:
   using State = typename Normality<Dim>::State;
 
-  Decision(const AssociatedFunction<Dim>& f, const NormalityOptions& options)
+  NormalityDecision(const AssociatedFunction<Dim>& f, const NormalityOptions& options)
       : f_(f), options_(options) {}
 
   Normality<Dim> run() {
@@ -203,7 +203,7 @@ class Decision {
 template <std::size_t Dim>
 Normality<Dim> is_normal(const AssociatedFunction<Dim>& f, const NormalityOptions& options) {
   const ScopedDefaultFp nearest;
-  return Decision<Dim>(f, options).run();
+  return NormalityDecision<Dim>(f, options).run();
 }
 
 template Normality<1> is_normal<1>(const AssociatedFunction<1>&, const NormalityOptions&);

@@ -2,6 +2,7 @@
 #include "cli/expression_classification.h"
 
 #include "robust/base/parallel.h"
+#include "verify/format/sha256.h"
 
 namespace veritope::cli {
 namespace {
@@ -33,13 +34,15 @@ void count(PointWord word, report::ClassifyReport& report) {
 }  // namespace
 
 Status classify_points(const ExpressionClassifier& classifier, PointSource& source, unsigned jobs,
-                       const WriteAnswers& write, report::ClassifyReport& report) {
+                       const WriteAnswers& write, report::ClassifyReport& report,
+                       ExpressionCertificate* certificate) {
+  Sha256 hash;
   PointBatch batch;
   std::vector<PointWord> words;
   std::string lines;
   for (;;) {
     if (const Status status = source.next(batch); !status) return status;
-    if (batch.size() == 0) return ok_status();
+    if (batch.size() == 0) break;
     words.resize(batch.size());
     classifier.classify(batch.points, words, jobs);
     parallel_for(batch.exact.size(), 16, jobs,
@@ -53,7 +56,13 @@ Status classify_points(const ExpressionClassifier& classifier, PointSource& sour
       count(words[i], report);
     }
     if (const Status status = write(lines); !status) return status;
+    if (certificate == nullptr) continue;
+    certificate->certifier.add(batch.points, batch.exact, words);
+    hash.update({reinterpret_cast<const unsigned char*>(lines.data()), lines.size()});
+    certificate->answers.bytes += lines.size();
   }
+  if (certificate != nullptr) certificate->answers.sha256 = to_hex(hash.finish());
+  return ok_status();
 }
 
 }  // namespace veritope::cli

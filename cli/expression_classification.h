@@ -3,11 +3,21 @@
 #pragma once
 #include "cli/classification.h"
 #include "solids/expression/expression_classifier.h"
+#include "verify/certify/expression_points_certifier.h"
 
 namespace veritope::cli {
 
-/// Answers all points of the source. Fills the numbers of the report. @error as PointSource and WriteAnswers
+/// What the run needs for a certificate of its answers.
+struct ExpressionCertificate {
+  ExpressionPointsCertifier certifier;
+  certificate::AnswersSubject answers;  ///< its hash and its size are set by the run
+};
+
+/// Answers all points of the source. Fills the numbers of the report.
+/// @param certificate  null: there will be none
+/// @error as PointSource and WriteAnswers
 Status classify_points(const ExpressionClassifier& classifier, PointSource& source, unsigned jobs,
-                       const WriteAnswers& write, report::ClassifyReport& report);
+                       const WriteAnswers& write, report::ClassifyReport& report,
+                       ExpressionCertificate* certificate);
 
 }  // namespace veritope::cli

@@ -8,6 +8,7 @@
 #include "interval/exact_box.h"
 #include "robust/base/box3d.h"
 #include "solids/classify/mesh_classifier.h"
+#include "solids/classify/patch_classifier.h"
 #include "solids/expression/flat_cone.h"
 #include "solids/patches/patch_complex.h"
 
@@ -18,6 +19,14 @@ namespace veritope {
 struct TangentCone {
   FlatCone sectors;
   bool is_flat = true;  ///< near the point the boundary is the cone itself
+};
+
+/// What a solid was made from. Null pointers of what it was not made from; a box has none.
+struct OperandParts {
+  const TriangleMesh* mesh = nullptr;
+  const MeshClassifier* mesh_classifier = nullptr;
+  const PatchComplex* patches = nullptr;
+  const PatchClassifier* patch_classifier = nullptr;
 };
 
 /// A solid: the closure of its interior. Immutable: threads may share it.
@@ -37,6 +46,7 @@ class Operand {
   /// A box around the solid.
   virtual ExactBox<3> box() const = 0;
   virtual LookupSize lookup() const { return {}; }
+  virtual OperandParts parts() const { return {}; }
 };
 
 /// A mesh that bounds a solid, which is moved in. REQUIRES what MeshClassifier does, and a valid mesh.

@@ -34,6 +34,7 @@ class PatchOperand : public Operand {
     return out;
   }
   LookupSize lookup() const override { return classifier_.lookup(); }
+  OperandParts parts() const override { return {nullptr, nullptr, patches_.get(), &classifier_}; }
 
  private:
   static Value3 value_of(const PointAnswer& a) {

@@ -136,11 +136,9 @@ class ClassifyRun {
   const std::string& path() const { return options_.files[0]; }
 
   ExitCode run_expression() {
-    for (const auto& [option, is_given] :
-         {std::pair("--winding", options_.winding),
-          std::pair("--certificate", options_.certificate.has_value()),
-          std::pair("--orient auto", options_.orient_auto),
-          std::pair("--by", options_.by_chain.has_value())})
+    for (const auto& [option, is_given] : {std::pair("--winding", options_.winding),
+                                           std::pair("--orient auto", options_.orient_auto),
+                                           std::pair("--by", options_.by_chain.has_value())})
       if (is_given)
         return complain(std::string(option) + " is for models, and " + harmless(path()) +
                         " is an expression of solids"),
@@ -155,7 +153,14 @@ class ClassifyRun {
     report_.sha256 = expression->sha256;
     report_.seconds_read = watch.lap();
     progress_.phase(shown_path(path()), "building the look-up");
-    const ExpressionClassifier classifier(std::move(expression->formula), operands.take_solids());
+    std::vector<ExpressionSolid> solids = operands.take_solids();
+    std::vector<std::shared_ptr<const Operand>> of_solids;
+    for (const ExpressionSolid& solid : solids) of_solids.push_back(solid.operand);
+    const ExpressionClassifier classifier(expression->formula, std::move(of_solids));
+    std::optional<ExpressionCertificate> certificate;
+    if (options_.certificate && operands.no_certificate().empty())
+      certificate.emplace(ExpressionCertificate{
+          {expression->formula, std::move(solids), expression->size.leaves, jobs()}, {}});
     const LookupSize lookup = classifier.lookup();
     report_.lookup_cells = lookup.cells;
     report_.lookup_bytes = lookup.bytes;
@@ -166,14 +171,19 @@ class ClassifyRun {
         with_answers(decimals, [&](PointSource& source, const WriteAnswers& write) {
           progress_.phase(shown_path(path()), "classifying");
           const Status status =
-              classify_points(classifier, operands.solid_names(), source,
-                              static_cast<unsigned>(options_.jobs), write, report_);
+              classify_points(classifier, operands.solid_names(), source, jobs(), write, report_,
+                              certificate ? &*certificate : nullptr);
           report_.seconds_classify = watch.lap();
           return status;
         });
     progress_.clear();
     if (exit != kExitValid) return exit;
-    return first_of(report_.undecided.empty() ? kExitValid : kExitUndecided, write_json());
+    const ExitCode certified = certificate ? keep_certificate(*expression, *certificate)
+                               : options_.certificate
+                                   ? without_certificate(operands.no_certificate())
+                                   : kExitValid;
+    return first_of(first_of(certified, report_.undecided.empty() ? kExitValid : kExitUndecided),
+                    write_json());
   }
 
   ExitCode run_plane() {
@@ -191,6 +201,21 @@ class ClassifyRun {
         2);
     return exit == kExitValid ? write_json() : exit;
   }
+  ExitCode keep_certificate(const ExpressionOperand& expression, ExpressionCertificate& parts) {
+    certificate::Subject subject;
+    subject.sha256 = expression.sha256;
+    subject.bytes = expression.bytes;
+    subject.format = kChainFormat;
+    subject.as_indexed = options_.input.reading.as_indexed;
+    subject.tool = tool_name();
+    parts.answers.are_decimals_exact = report_.are_decimals_exact;
+    const Result<certificate::Bytes> made =
+        parts.certifier.finish(std::move(subject), parts.answers);
+    if (!made) return without_certificate(path() + ": " + made.error().message);
+    num_uncovered_ = parts.certifier.num_uncovered();
+    return keep_certificate(*made);
+  }
+  unsigned jobs() const { return static_cast<unsigned>(options_.jobs); }
 
   // Opens the points and the answers for `work`, and keeps the answers if it succeeds.
   template <typename Work>
@@ -452,7 +477,8 @@ class ClassifyRun {
   ExitCode keep_certificate(const certificate::Bytes& bytes) {
     if (!options_.certificate) return kExitValid;
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    report_.certificate = {*options_.certificate, bytes.size(), report_.undecided.size(), false};
+    report_.certificate = {*options_.certificate, bytes.size(),
+                           report_.undecided.size() + num_uncovered_, false};
     if (!checker_.empty())
       if (const ExitCode exit = check(text); exit != kExitValid) return exit;
     const Status status = write_output(*options_.certificate, text, out_);
@@ -506,8 +532,9 @@ class ClassifyRun {
   Progress progress_;
   std::string checker_;  // empty: --no-check
   Model model_;
-  bool is_by_faces_ = false;  // certificates number the boundary faces of the file's volumes
-  std::string model_bytes_;   // if needs_copy(path())
+  std::uint64_t num_uncovered_ = 0;  // decided points of which the certificate says nothing
+  bool is_by_faces_ = false;         // certificates number the boundary faces of the file's volumes
+  std::string model_bytes_;          // if needs_copy(path())
   ClassifyReport report_;
 };
 

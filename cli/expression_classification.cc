@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "robust/base/parallel.h"
+#include "verify/format/sha256.h"
 
 namespace veritope::cli {
 namespace {
@@ -69,13 +70,14 @@ void count(PointWord word, report::ClassifyReport& report) {
 
 Status classify_points(const ExpressionClassifier& classifier, std::span<const std::string> names,
                        PointSource& source, unsigned jobs, const WriteAnswers& write,
-                       report::ClassifyReport& report) {
+                       report::ClassifyReport& report, ExpressionCertificate* certificate) {
+  Sha256 hash;
   PointBatch batch;
   std::vector<PointWord> words;
   std::string lines;
   for (;;) {
     if (const Status status = source.next(batch); !status) return status;
-    if (batch.size() == 0) return ok_status();
+    if (batch.size() == 0) break;
     words.resize(batch.size());
     classifier.classify(batch.points, words, jobs);
     parallel_for(batch.exact.size(), 16, jobs,
@@ -91,7 +93,13 @@ Status classify_points(const ExpressionClassifier& classifier, std::span<const s
     }
     add_reasons(classifier, names, batch, before, report, first);
     if (const Status status = write(lines); !status) return status;
+    if (certificate == nullptr) continue;
+    certificate->certifier.add(batch.points, batch.exact, words);
+    hash.update({reinterpret_cast<const unsigned char*>(lines.data()), lines.size()});
+    certificate->answers.bytes += lines.size();
   }
+  if (certificate != nullptr) certificate->answers.sha256 = to_hex(hash.finish());
+  return ok_status();
 }
 
 }  // namespace veritope::cli

@@ -148,6 +148,7 @@ std::optional<ExpressionOperand> ExpressionOperands::load(const std::string& pat
     out->sha256 = sha;
     out->format = name;
     out->bytes = bytes->bytes.size();
+    if (!is_chain) sources_.back().bytes = out->bytes;
   }
   return known_[{sha, name}] = std::move(out);
 }
@@ -214,12 +215,13 @@ std::optional<ExpressionOperand> ExpressionOperands::decide(const std::string& p
     return refuse(done.report.exit, begin + verdict_text(done.report));
   if (done.report.sha256 != sha256)
     return refuse(kExitUnreadable, begin + harmless(path) + " changed while it was read");
+  ExpressionSolid source;
   ExpressionOperand out;
-  out.formula = Formula::variable(static_cast<std::uint32_t>(solids_.size()));
   solid_names_.push_back(harmless(path));
   if (auto* const mesh = std::get_if<MeshFile>(&model)) {
-    out.box = box_around(mesh->mesh);
-    solids_.emplace_back(std::move(mesh->mesh));
+    if (mesh->copy) exclude_from_certificates(path, "the checkers read meshes, not these polygons");
+    out.box = source.box = box_around(mesh->mesh);
+    out.formula = add(std::move(mesh->mesh), std::move(source));
     return out;
   }
   const auto& file = std::get<SplineFile>(model);
@@ -227,10 +229,28 @@ std::optional<ExpressionOperand> ExpressionOperands::decide(const std::string& p
   VT_CHECK(static_cast<bool>(stand_in), "a valid model of volumes has boundary faces");
   Result<FilePatches> patches = patches_of(file, *stand_in);
   VT_CHECK(patches && patches->complex, "a valid model has patches");
-  out.box = box_around(*patches->complex);
-  solids_.emplace_back(std::move(patches->complex));
+  if (*stand_in ? (*stand_in)->is_copy() : !is_read_by_checkers(file))
+    exclude_from_certificates(path, "the checkers do not read this file, but a copy");
+  else if (file.beyond_default_limits)
+    exclude_from_certificates(path, "the file has longer numbers than certificates may be about");
+  source.is_by_faces = *stand_in && (*stand_in)->is_by_own_faces();
+  source.entities = std::move(patches->entities);
+  out.box = source.box = box_around(*patches->complex);
+  out.formula = add(std::move(patches->complex), std::move(source));
   has_patches_ = true;
   return out;
+}
+
+Formula ExpressionOperands::add(Solid solid, ExpressionSolid source) {
+  const auto variable = static_cast<std::uint32_t>(solids_.size());
+  solids_.push_back(std::move(solid));
+  sources_.push_back(std::move(source));
+  return Formula::variable(variable);
+}
+
+void ExpressionOperands::exclude_from_certificates(const std::string& path,
+                                                   const std::string& why) {
+  if (no_certificate_.empty()) no_certificate_ = path + ": " + why;
 }
 
 std::uint32_t ExpressionOperands::variable_of(const ExactBox<3>& box) {
@@ -239,24 +259,26 @@ std::uint32_t ExpressionOperands::variable_of(const ExactBox<3>& box) {
     text += box[k].lo.to_string() + " " + box[k].hi.to_string() + " ";
   const auto [at, is_new] = boxes_.emplace(text, static_cast<std::uint32_t>(solids_.size()));
   if (is_new) {
-    solids_.emplace_back(box);
+    ExpressionSolid source;
+    source.box = box;
+    add(box, std::move(source));
     solid_names_.emplace_back("the box");
   }
   return at->second;
 }
 
-std::vector<std::shared_ptr<const Operand>> ExpressionOperands::take_solids() {
-  std::vector<std::shared_ptr<const Operand>> out;
-  for (Solid& solid : solids_) {
-    if (auto* const mesh = std::get_if<TriangleMesh>(&solid))
-      out.push_back(mesh_operand(std::move(*mesh)));
-    else if (const auto* const box = std::get_if<ExactBox<3>>(&solid))
-      out.push_back(box_operand(*box));
+std::vector<ExpressionSolid> ExpressionOperands::take_solids() {
+  for (std::size_t i = 0; i < solids_.size(); ++i) {
+    std::shared_ptr<const Operand>& out = sources_[i].operand;
+    if (auto* const mesh = std::get_if<TriangleMesh>(&solids_[i]))
+      out = mesh_operand(std::move(*mesh));
+    else if (const auto* const box = std::get_if<ExactBox<3>>(&solids_[i]))
+      out = box_operand(*box);
     else
-      out.push_back(patch_operand(std::move(std::get<std::unique_ptr<const PatchComplex>>(solid))));
+      out = patch_operand(std::move(std::get<std::unique_ptr<const PatchComplex>>(solids_[i])));
   }
   solids_.clear();
-  return out;
+  return std::move(sources_);
 }
 
 }  // namespace veritope::cli

@@ -12,6 +12,7 @@
 #include "cli/certification.h"
 #include "io/chains/chain_file.h"
 #include "solids/expression/operand.h"
+#include "verify/certify/expression_points_certifier.h"
 
 namespace veritope::cli {
 
@@ -57,9 +58,11 @@ class ExpressionOperands {
   /// Whether some solids are patches.
   bool has_patches() const { return has_patches_; }
   /// The solids, in the order of the variables; those of meshes get their look-up. May be called once.
-  std::vector<std::shared_ptr<const Operand>> take_solids();
+  std::vector<ExpressionSolid> take_solids();
   /// In the order of the variables: the path at which each was read first; "the box" of a complement.
   const std::vector<std::string>& solid_names() const { return solid_names_; }
+  /// Why checkers do not read an operand; empty if they read all.
+  const std::string& no_certificate() const { return no_certificate_; }
 
  private:
   using Solid = std::variant<TriangleMesh, ExactBox<3>, std::unique_ptr<const PatchComplex>>;
@@ -71,6 +74,8 @@ class ExpressionOperands {
   std::optional<ExpressionOperand> decide(const std::string& path, const std::string& label,
                                           std::optional<FormatId> format,
                                           const std::string& sha256);
+  Formula add(Solid solid, ExpressionSolid source);
+  void exclude_from_certificates(const std::string& path, const std::string& why);
   std::uint32_t variable_of(const ExactBox<3>& box);
   std::nullopt_t refuse(ExitCode exit, const std::string& text);
 
@@ -78,8 +83,10 @@ class ExpressionOperands {
   Progress& progress_;
   ExitCode exit_ = kExitValid;
   bool has_patches_ = false;
+  std::string no_certificate_;
   std::vector<Solid> solids_;
   std::vector<std::string> solid_names_;
+  std::vector<ExpressionSolid> sources_;  ///< of the solids, without their operands
   /// By SHA-256 and format; nothing: refused.
   std::map<std::pair<std::string, std::string>, std::optional<ExpressionOperand>> known_;
   std::map<std::string, std::uint32_t> boxes_;  ///< the variables of boxes, by their text

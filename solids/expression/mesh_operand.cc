@@ -28,6 +28,7 @@ class MeshOperand : public Operand {
     return out;
   }
   LookupSize lookup() const override { return classifier_.lookup(); }
+  OperandParts parts() const override { return {&mesh_, &classifier_, nullptr, nullptr}; }
 
  private:
   static Value3 value_of(const PointAnswer& a) {

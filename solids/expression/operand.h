@@ -8,10 +8,19 @@
 #include "interval/exact_box.h"
 #include "robust/base/box3d.h"
 #include "solids/classify/mesh_classifier.h"
+#include "solids/classify/patch_classifier.h"
 #include "solids/expression/tangent_cone.h"
 #include "solids/patches/patch_complex.h"
 
 namespace veritope {
+
+/// What a solid was made from. Null pointers of what it was not made from; a box has none.
+struct OperandParts {
+  const TriangleMesh* mesh = nullptr;
+  const MeshClassifier* mesh_classifier = nullptr;
+  const PatchComplex* patches = nullptr;
+  const PatchClassifier* patch_classifier = nullptr;
+};
 
 /// A solid: the closure of its interior. Immutable: threads may share it.
 class Operand {
@@ -30,6 +39,7 @@ class Operand {
   /// A box around the solid.
   virtual ExactBox<3> box() const = 0;
   virtual LookupSize lookup() const { return {}; }
+  virtual OperandParts parts() const { return {}; }
 };
 
 /// A mesh that bounds a solid, which is moved in. REQUIRES what MeshClassifier does, and a valid mesh.

@@ -39,6 +39,7 @@ class PatchOperand : public Operand {
     return out;
   }
   LookupSize lookup() const override { return classifier_.lookup(); }
+  OperandParts parts() const override { return {nullptr, nullptr, patches_.get(), &classifier_}; }
 
  private:
   std::optional<std::array<Rational, 2>> place_of(const Patch& patch, const ExactPoint& p) const {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """The C++ checker beside the Python one: after judge(), all that the Python tests ask is asked of both, and exit code and condition must
 agree. VERITOPE_CHECK names the program."""
+import contextlib
 import os
 import pathlib
 import subprocess
@@ -20,9 +21,19 @@ def condition(line):
     return line.split(":")[0].split(" ")[0 if line.startswith("ACCEPT") else -1].strip()
 
 
-def in_cpp(*given):
-    """(exit code, condition or ACCEPT, all that was printed) for a model, a certificate and, if its claim is about one, an answers file."""
-    paths = [os.path.join(FOLDER.name, name) for name in ("model", "certificate", "answers")][:len(given)]
+def in_cpp(*given, beside=None):
+    """(exit code, condition or ACCEPT, all that was printed) for a model, a certificate and, if its claim is about one, an answers file.
+    beside: the files that the model names, by their paths."""
+    with tempfile.TemporaryDirectory() if beside else contextlib.nullcontext(FOLDER.name) as folder:
+        for name, data in (beside or {}).items():
+            path = pathlib.Path(folder, name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(data)
+        return run_in(folder, given)
+
+
+def run_in(folder, given):
+    paths = [os.path.join(folder, name) for name in ("model", "certificate", "answers")][:len(given)]
     for path, data in zip(paths, given):
         with open(path, "wb") as file:
             file.write(data)
@@ -30,10 +41,11 @@ def in_cpp(*given):
     return r.returncode, condition(r.stdout), r.stdout + r.stderr
 
 
-def both(model, certificate, skip=frozenset(), answers=None):
-    code, line = in_python(model, certificate, skip, answers)
+def both(model, certificate, skip=frozenset(), answers=None, files=None):
+    """files: as check() has it; the reader knows its `contents`."""
+    code, line = in_python(model, certificate, skip, answers, files)
     if not skip:
-        other = in_cpp(model, certificate, *(() if answers is None else (answers,)))
+        other = in_cpp(model, certificate, *(() if answers is None else (answers,)), beside=files and files[1].contents)
         assert other[0] > 1 or other[2].count("\n") == 1, other    # one line, and nothing on stderr
         if "too far away" in other[2]:                    # the limit of the C++ checker (star-box.md, section 8)
             assert other[:2] == (1, "B1"), other

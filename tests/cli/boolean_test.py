@@ -20,7 +20,9 @@ def box(low, high, faces=FACES):
     return f"OFF\n8 {len(faces)} 0\n" + "".join(rows) + "".join("4 %d %d %d %d\n" % f for f in faces)
 
 
-class Boolean(Folder):
+class Expressions(Folder):
+    """A folder with blocks, and what writes and asks expressions of them."""
+
     def setUp(self):
         super().setUp()
         self.file("a.off", box((0, 0, 0), (1, 1, 1)))
@@ -49,6 +51,8 @@ class Boolean(Folder):
             return re.sub(r"\s+", " ", done.stderr)
         return [line.split()[3] for line in done.stdout.splitlines()]
 
+
+class Boolean(Expressions):
     def test_walls_that_two_blocks_share(self):
         points = "1 .5 .5", "1 0 .5", "0.5 0.5 0.5", "3 0 0", "1/3 0 1/7", "1 1/3 0x1p-3"
         for expression, words in (("A | B", "in on in out on in"), ("A + B", "in on in out on in"), ("A & B", "out out out out out out"), ("A - B", "on on in out on on"),
@@ -202,7 +206,7 @@ class Boolean(Folder):
         self.boolean("A", "A=a.off", "-o", "nowhere/x.json", status=4)
         self.boolean("A", "A=a.off", "-o", "e.json")
         self.assertIn("the output e.json is the input e.json", self.boolean("E", "E=e.json", "-o", "e.json", status=2))
-        for option in ("--winding",), ("--certificate", "c", "-o", "o"):
+        for option in ("--winding",), ("--by", "normal"):
             self.assertIn("is an expression of solids", self.classify("e.json", "0 0 0", options=option, status=2))
 
     def test_other_commands_know_the_files(self):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // tests/support/checker_call.h: the C++ checker as a function: what its main does with its files.
 #pragma once
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -10,12 +11,15 @@
 namespace veritope {
 
 /// "ACCEPT ...", "REJECT <condition>: ...", "REFUSE ..." (exit 4) or "BUG ..." (exit 5).
-inline std::string check_in_process(const std::string& model_file, const std::string& certificate,
-                                    const std::string& answers = "") {
+/// @param read_file  reads a file that the model names; it may throw ::Refused
+inline std::string check_in_process(
+    const std::string& model_file, const std::string& certificate, const std::string& answers = "",
+    const std::function<std::string(const std::string&)>& read_file = nullptr) {
   try {
     ::Body body = {nullptr, nullptr};
     ::Statement s = ::read_statement(::all_claims(), certificate, model_file, &body);
     s.answers = answers;
+    s.read_file = read_file;
     return std::string("ACCEPT ") + s.claim->name + ": " + s.claim->check(s, model_file, body);
   } catch (const ::Rejected& r) {
     return "REJECT " + r.id + ": " + r.why;

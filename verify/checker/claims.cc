@@ -13,8 +13,8 @@ namespace {
 
 const char kMeshes[] = "stl,obj,ply,off";
 const char kSplines[] = "vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces";
-const char kMeshesAndSplines[] =
-    "stl,obj,ply,off,vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces";
+const char kAllFormats[] =
+    "stl,obj,ply,off,vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces,chain";
 const char kVolumes[] = "vjson,itd,g2,mfem";
 const char kStarText[] = " body_sha256 certificate claim subject_format subject_sha256 tool";
 
@@ -42,7 +42,7 @@ const std::vector<Claim>& all_claims() {
        " body_sha256 certificate claim reading_rule subject_format subject_sha256 tool volume",
        " bodies edges faces genus reversed reversed_shells shells subject_bytes vertices",
        " as_indexed", check_volume, check_mesh_valid},
-      {"points-1", "VTPT", kMeshesAndSplines,
+      {"points-1", "VTPT", kAllFormats,
        " answers_sha256 body_sha256 certificate claim decimals reading_rule subject_format "
        "subject_sha256 tool",
        " answers_bytes on points subject_bytes undecided", " as_indexed winding", check_decimals,

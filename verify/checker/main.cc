@@ -13,8 +13,10 @@ namespace {
 
 const char kUsage[] =
     "usage: veritope-check MODEL CERT [ANSWERS]\n"
-    "Checks the certificate CERT about the model MODEL (STL, OBJ, PLY, OFF, vjson, itd, g2 or "
-    "MFEM).\n"
+    "Checks the certificate CERT about the model MODEL (STL, OBJ, PLY, OFF, vjson, itd, g2, MFEM, "
+    "or "
+    "a\n"
+    "chain file, whose operands are read, too).\n"
     "ANSWERS is the file of classified points that the claim points-1 needs, and no other claim.\n"
     "Prints ACCEPT with the claim and exits with 0, or REJECT with the condition that fails and "
     "exits "
@@ -74,6 +76,8 @@ int main(int argc, char** argv) {
                      ": veritope-check MODEL CERT [ANSWERS]",
                  2);
     s.answers = std::move(answers);
+    s.model_name = name;
+    s.read_file = read_file;
     return say(
         stdout,
         std::string("ACCEPT ") + s.claim->name + ": " + s.claim->check(s, std::move(file), body),

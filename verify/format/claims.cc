@@ -18,8 +18,8 @@ using internal::ByteReader;
 
 constexpr std::string_view kMeshes = "stl,obj,ply,off";
 constexpr std::string_view kSplines = "vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces";
-constexpr std::string_view kMeshesAndSplines =
-    "stl,obj,ply,off,vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces";
+constexpr std::string_view kAllFormats =
+    "stl,obj,ply,off,vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces,chain";
 constexpr std::string_view kVolumes = "vjson,itd,g2,mfem";
 constexpr std::string_view kStarNumbers =
     "bodies boxes edges flipped genus patches shells vertices";
@@ -94,10 +94,9 @@ constexpr auto kClaims = std::to_array<Claim>({
     {kReversedClaim, kReversedMagic, "mesh-reversed.md", kMeshes, "reading_rule volume",
      "bodies edges faces genus reversed reversed_shells shells vertices", "as_indexed",
      encode_as<ReversedBody>, decode_whole<internal::read_reversed>, explain_as<ReversedBody>},
-    {kPointsClaim, kPointsMagic, "points.md", kMeshesAndSplines,
-     "answers_sha256 decimals reading_rule", "answers_bytes on points undecided",
-     "as_indexed winding", encode_as<PointsBody>, decode_whole<internal::read_points>,
-     explain_as<PointsBody>},
+    {kPointsClaim, kPointsMagic, "points.md", kAllFormats, "answers_sha256 decimals reading_rule",
+     "answers_bytes on points undecided", "as_indexed winding", encode_as<PointsBody>,
+     decode_whole<internal::read_points>, explain_as<PointsBody>},
     {kStarBoxClaim, kStarBoxMagic, "star-box.md", kSplines, "", kStarNumbers, "",
      encode_as<StarBoxBody>, decode_patches<StarBoxBody>, explain_as<StarBoxBody>},
     {kReversedShellClaim, kStarBoxMagic, "star-box.md", kSplines, "",

@@ -28,11 +28,13 @@ struct AnswersSubject {
 };
 
 struct PointsBody {
-  std::uint32_t num_faces = 0, num_vertex_ids = 0;  ///< spline models: of patches and entities
+  /// Spline models: of patches and entities. Expressions: of solids and operands.
+  std::uint32_t num_faces = 0, num_vertex_ids = 0;
   std::uint64_t num_points = 0;
   /// For each point off the model its direction, 0 to 5; for each point on it the number of a facet, as varint, or a
   /// place on a patch. The words of the answers tell which bytes are which. In the certificate of a spline model the
-  /// breaks of its surfaces come first.
+  /// breaks of its surfaces come first. In that of an expression ExpressionHeader comes first, and each point has the
+  /// codes of several solids.
   Bytes codes;
 };
 
@@ -61,6 +63,42 @@ class PatchCodes {
   void add_direction(std::uint8_t code);
   void add(const PointOnPatch& place);
   void add(const AlgebraicPointOnPatch& place);
+  Bytes take();
+
+ private:
+  std::unique_ptr<internal::ByteWriter> writer_;
+};
+
+/// What PointsBody::codes begins with for expressions.
+class ExpressionHeader {
+ public:
+  explicit ExpressionHeader(std::uint64_t num_uncovered);
+  ExpressionHeader(ExpressionHeader&&) noexcept;
+  ~ExpressionHeader();
+
+  void add_mesh(std::uint32_t num_faces, std::uint32_t num_vertex_ids);
+  /// @param by_faces  the patches are boundary faces of the file's volumes
+  void add_patches(bool by_faces, std::uint32_t num_patches,
+                   const std::vector<PatchEntity>& entities);
+  Bytes take();
+
+ private:
+  std::unique_ptr<internal::ByteWriter> writer_;
+};
+
+/// What is known of the solids of an expression at one point, in the order in which the checkers ask for it.
+class ExpressionCodes {
+ public:
+  ExpressionCodes();
+  ExpressionCodes(ExpressionCodes&&) noexcept;
+  ~ExpressionCodes();
+
+  void add_off(bool is_inside, std::uint8_t direction);
+  void add_on(std::uint32_t facet);
+  void add_on(const PointOnPatch& place);
+  void add_on(const AlgebraicPointOnPatch& place);
+  void add_open();       ///< nothing is said of the solid
+  void add_uncovered();  ///< nothing is said of the point
   Bytes take();
 
  private:

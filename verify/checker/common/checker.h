@@ -2,6 +2,7 @@
 // checker.h: what all claims share. The pages: docs/certificates.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ struct Statement {
   std::map<std::string, uint64_t> number;
   std::map<std::string, bool> flag;
   std::string answers;  // the bytes of the third file, where the claim needs one
+  std::string model_name;
+  std::function<std::string(const std::string& name)> read_file;  // for files that the model names
   bool needs_answers() const { return text.count("answers_sha256") != 0; }
 };
 struct Body {  // the bytes after the statement that are still to be read

@@ -15,6 +15,7 @@ struct Work {  // what section 5 of mesh.md counts and bounds; units: 1000 (F + 
   uint64_t done, limit;
   Work(const Model& model, const Body& body)
       : done(0), limit(1000 * (model.faces() + body.left())) {}
+  explicit Work(uint64_t most) : done(0), limit(most) {}
   void add(uint64_t units) {
     done += units;
     require(done <= limit, "B1", "more work than allowed, units", limit);

@@ -12,12 +12,12 @@ bool is_number(const std::string& s) { return is_natural(s) && s.size() <= 10; }
 
 // Whether the three words fit one another and `winding`; sets the word and f of the answer.
 bool fits(const std::string& word, const std::string& f, const std::string& shell, bool winding,
-          Answer* answer) {
+          bool has_shells, Answer* answer) {
   if (word == "undecided") {
     answer->word = Answer::kUndecided;
     return f == "-" && shell == "-";
   }
-  if (shell != "-" && !is_number(shell)) return false;
+  if (shell != "-" && (!has_shells || !is_number(shell))) return false;
   if (word == "on") {
     answer->word = Answer::kOn;
     return f == "-";
@@ -41,15 +41,22 @@ bool read_line(const char* line, const char* end, const Statement& s, Answer* an
   for (int i = 0; i < 3; ++i)
     if (!is_coordinate(next_word(&line), nearest)) return false;
   const std::string word = next_word(&line), f = next_word(&line), shell = next_word(&line);
-  return fits(word, f, shell, s.flag.at("winding"), answer);
+  return fits(word, f, shell, s.flag.at("winding"), !is_about_expression(s), answer);
 }
 
 }  // namespace
+
+bool is_about_expression(const Statement& s) { return s.text.at("subject_format") == "chain"; }
 
 std::string next_word(const char** at) {
   const char* const begin = *at;
   while (**at != ' ' && **at != '\n') ++*at;
   return std::string(begin, (*at)++);
+}
+
+void read_point(const Answer& answer, bool nearest, Coordinate* coordinates) {
+  const char* at = answer.line;
+  for (int k = 0; k < 3; ++k) coordinates[k] = coordinate(next_word(&at), nearest);
 }
 
 void check_decimals(const Statement& statement) {
@@ -64,6 +71,8 @@ std::vector<Answer> read_answers(const Statement& statement) {
           bytes.size());
   require(statement.text.at("answers_sha256") == sha256(bytes.data(), bytes.size()), "A1",
           "other answers");
+  require(!is_about_expression(statement) || !statement.flag.at("winding"), "A2",
+          "an expression has no winding numbers");
   std::vector<Answer> answers;
   uint64_t words[3] = {0, 0, 0};
   const char *p = bytes.data(), *const end = p + bytes.size();

@@ -14,5 +14,8 @@ struct Answer {  // a line of the answers file
 // The words of the line, which end at blanks and at its line feed: the next one from *at, which is moved behind the
 // byte that ends it.
 std::string next_word(const char** at);
+// Its three coordinates.
+void read_point(const Answer& answer, bool nearest, Coordinate* coordinates);
 
+bool is_about_expression(const Statement& statement);
 std::vector<Answer> read_answers(const Statement& statement);

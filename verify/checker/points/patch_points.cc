@@ -2,40 +2,9 @@
 // patch_points.cc: the conditions of docs/certificates/points.md, section 6, in their order.
 #include "patch_points.h"
 
-#include "algebraic.h"
-#include "patch_winding.h"
-
 namespace {
 
 const uint64_t kBytesOfPatch = 3;  // of the model and the body
-
-struct PointCode {
-  int direction;  // of a point off the patches
-  uint64_t patch;
-  Ratio at[2];                           // parameters
-  std::shared_ptr<Algebraic> algebraic;  // instead of them, if not null
-};
-
-struct Reader : Bytes {
-  explicit Reader(const Body& bytes) : Bytes(bytes) {}
-
-  PointCode code(const Answer& answer, uint64_t patches) {
-    PointCode r = {0, 0, {}, nullptr};
-    if (answer.word == Answer::kUndecided) return r;
-    if (answer.word == Answer::kOff) {
-      r.direction = int(at_most(body.natural(1), 5, "there is no direction"));
-      return r;
-    }
-    r.patch = varint();
-    require(r.patch < patches, "B1", "there is no patch", r.patch);
-    if (at_most(body.natural(1), 1, "there is no kind of place") == 1) {
-      r.algebraic = std::make_shared<Algebraic>(Algebraic::read(this));
-    } else {
-      for (Ratio& t : r.at) t = rational();
-    }
-    return r;
-  }
-};
 
 Big big_of(const Nat& digits) {
   Big r;
@@ -45,19 +14,6 @@ Big big_of(const Nat& digits) {
   }
   return r.trim();
 }
-RationalPoint point_of(const Answer& answer, bool nearest) {
-  const char* at = answer.line;
-  Ratio x[3];
-  for (Ratio& r : x) {
-    const Coordinate c = coordinate(next_word(&at), nearest);
-    r = Ratio(big_of(c.n.m), big_of(c.d));
-    r.n.neg = c.n.neg;
-    r = lowest(r);
-    r = scaled(r, c.twos);
-  }
-  return RationalPoint(x);
-}
-
 bool is_in_domain(const Grid& grid, const Ratio* t) {
   for (int k = 0; k < 2; ++k)
     if (t[k].n.sign() < 0 || t[k].d < t[k].n) return false;
@@ -71,19 +27,96 @@ void to_square(const Grid& grid, const Ratio* t, Ratio* uv) {
   uv[0] = lowest(Ratio(sum, t[0].d * t[1].d));
   uv[1] = sum.sign() == 0 ? Ratio() : lowest(Ratio(second, sum));
 }
-void check_on(const Grid& grid, const RationalPoint& q, const PointCode& code,
-              const std::string& where, PointUnits* units) {
+}  // namespace
+
+bool is_about_patches(const Statement& s) {
+  const std::string& format = s.text.at("subject_format");
+  return format != "stl" && format != "obj" && format != "ply" && format != "off";
+}
+
+RationalPoint rational_point(const Coordinate* coordinates) {
+  Ratio x[3];
+  for (int k = 0; k < 3; ++k) {
+    const Coordinate& c = coordinates[k];
+    x[k] = Ratio(big_of(c.n.m), big_of(c.d));
+    x[k].n.neg = c.n.neg;
+    x[k] = scaled(lowest(x[k]), c.twos);
+  }
+  return RationalPoint(x);
+}
+
+PatchSurface::PatchSurface(std::vector<Entity> entities, uint64_t bytes)
+    : entities_(std::move(entities)), bytes_(bytes) {
+  cuts_.entities = &entities_;
+}
+
+void PatchSurface::read_counts(Bytes* r) {
+  num_patches_ = r->body.natural(4);
+  require(r->body.natural(4) == entities_.size() && !entities_.empty(), "B1",
+          "the model's number of entities is", entities_.size());
+}
+
+void PatchSurface::read_breaks(uint64_t body_size, Bytes* r) {
+  ::read_breaks(false, r, &cuts_);
+  require(num_patches_ == cuts_.patches(), "B1", "the number of patches is", cuts_.patches());
+  require(num_patches_ <= (bytes_ + body_size) / kBytesOfPatch, "B1",
+          "too few bytes for the patches", num_patches_);
+}
+
+PlaceOnPatch PatchSurface::read_place(Bytes* r) const {
+  PlaceOnPatch place;
+  place.patch = r->varint();
+  require(place.patch < num_patches_, "B1", "there is no patch", place.patch);
+  if (r->at_most(r->body.natural(1), 1, "there is no kind of place") == 1) {
+    place.algebraic = std::make_shared<Algebraic>(Algebraic::read(r));
+  } else {
+    for (Ratio& t : place.at) t = r->rational();
+  }
+  return place;
+}
+
+void PatchSurface::glue() {
+  check_kinds(entities_);
+  std::vector<Place> places;
+  for (size_t i = 0; i < entities_.size(); ++i)
+    for (uint64_t k = cuts_.first[i]; k < cuts_.first[i + 1]; ++k)
+      places.push_back(cuts_.place(i, k));
+  cut_patches(places, 0, cuts_.breaks, [this](Patch&& p) { patches_.push_back(std::move(p)); });
+  const Gluing x(&patches_);
+  for (const Patch& p : patches_) grids_.emplace_back(p);
+  boxes_.reset(new PatchBoxes(grids_));
+  for (uint32_t i = 0; i < patches_.size(); ++i)
+    for (uint32_t k = 0; k < uint32_t(patches_[i].shape.sides()); ++k) {
+      corners_[patches_[i].vertex[k]].push_back(4 * i + k);
+      sides_[patches_[i].pair[k]].push_back(4 * i + k);
+    }
+}
+
+int64_t PatchSurface::winding(const RationalPoint& q, int direction, const std::string& where,
+                              PointUnits* units) const {
+  return winding_number(grids_, *boxes_, q, direction, where, units);
+}
+
+uint64_t PatchSurface::units_at(uint32_t patch, const RationalPoint& q,
+                                const PlaceOnPatch& place) const {
+  const Grid& grid = grids_[patch];
+  uint64_t g = 0;
+  for (const Ratio& t : place.at) g = std::max(g, uint64_t(std::max(t.n.bits(), t.d.bits())));
+  return 16 + (grid.count() * grid.degrees() * (uint64_t(grid.bits + q.bits) + grid.degrees() * g) *
+                   (64 + g) >>
+               18);
+}
+
+void PatchSurface::check_on(const RationalPoint& q, const PlaceOnPatch& code,
+                            const std::string& where, PointUnits* units) const {
+  const Grid& grid = grids_[code.patch];
   if (code.algebraic != nullptr) {
     units->add(code.algebraic->units(grid, q));
     const char* const why = code.algebraic->why_not_on(grid, q);
     if (why != nullptr) throw Rejected{"P2", why + where};
     return;
   }
-  uint64_t g = 0;
-  for (const Ratio& t : code.at) g = std::max(g, uint64_t(std::max(t.n.bits(), t.d.bits())));
-  units->add(16 + (grid.count() * grid.degrees() *
-                       (uint64_t(grid.bits + q.bits) + grid.degrees() * g) * (64 + g) >>
-                   18));
+  units->add(units_at(uint32_t(code.patch), q, code));
   if (!is_in_domain(grid, code.at))
     throw Rejected{"P2", "the parameters leave the domain of the patch" + where};
   Ratio uv[2];
@@ -102,53 +135,38 @@ void check_on(const Grid& grid, const RationalPoint& q, const PointCode& code,
   }
 }
 
-}  // namespace
-
-bool is_about_patches(const Statement& s) {
-  const std::string& format = s.text.at("subject_format");
-  return format != "stl" && format != "obj" && format != "ply" && format != "off";
-}
-
 void check_points_of_patches(const Statement& s, const std::string& file, const Body& body,
                              const std::vector<Answer>& answers) {
-  const std::vector<Entity> entities = read_spline_model(file, s.text.at("subject_format"));
-  const uint64_t bytes = file.size() + body.left();
-  Reader r(body);
+  PatchSurface surface(read_spline_model(file, s.text.at("subject_format")), file.size());
+  const uint64_t body_size = body.left();
+  Bytes r(body);
   require(r.body.begins_with("VTPT"), "B1", "the body does not start with VTPT");
-  const uint64_t num_patches = r.body.natural(4);
-  require(r.body.natural(4) == entities.size() && !entities.empty(), "B1",
-          "the model's number of entities is", entities.size());
+  surface.read_counts(&r);
   require(r.body.natural(8) == answers.size(), "B1", "the number of points is", answers.size());
-  Cuts cuts;
-  cuts.entities = &entities;
-  read_breaks(false, &r, &cuts);
-  require(num_patches == cuts.patches(), "B1", "the number of patches is", cuts.patches());
-  require(num_patches <= bytes / kBytesOfPatch, "B1", "too few bytes for the patches", num_patches);
-  std::vector<PointCode> codes;
-  for (const Answer& a : answers) codes.push_back(r.code(a, num_patches));
+  surface.read_breaks(body_size, &r);
+  std::vector<int> directions(answers.size());
+  std::vector<PlaceOnPatch> places(answers.size());
+  for (size_t i = 0; i < answers.size(); ++i) {
+    if (answers[i].word == Answer::kOn) places[i] = surface.read_place(&r);
+    if (answers[i].word == Answer::kOff)
+      directions[i] = int(r.at_most(r.body.natural(1), 5, "there is no direction"));
+  }
   r.end();
 
-  check_kinds(entities);
-  std::vector<Place> places;
-  for (size_t i = 0; i < entities.size(); ++i)
-    for (uint64_t k = cuts.first[i]; k < cuts.first[i + 1]; ++k) places.push_back(cuts.place(i, k));
-  std::vector<Patch> patches;
-  cut_patches(places, 0, cuts.breaks, [&](Patch&& p) { patches.push_back(std::move(p)); });
-  const Gluing x(&patches);
-  const std::vector<Grid> grids(patches.begin(), patches.end());
-  const PatchBoxes boxes(grids);
-  PointUnits units(bytes, answers.size());
-  const bool nearest = s.text.at("decimals") == "nearest";
+  surface.glue();
+  PointUnits units(file.size() + body_size, answers.size());
   for (size_t i = 0; i < answers.size(); ++i) {
     if (answers[i].word == Answer::kUndecided) continue;
     units.begin_point();
-    const RationalPoint q = point_of(answers[i], nearest);
+    Coordinate c[3];
+    read_point(answers[i], s.text.at("decimals") == "nearest", c);
+    const RationalPoint q = rational_point(c);
     const std::string where = " in line " + std::to_string(i + 1);
     if (answers[i].word == Answer::kOn) {
-      check_on(grids[codes[i].patch], q, codes[i], where, &units);
+      surface.check_on(q, places[i], where, &units);
       continue;
     }
-    const int64_t found = winding_number(grids, boxes, q, codes[i].direction, where, &units);
+    const int64_t found = surface.winding(q, directions[i], where, &units);
     if (found != answers[i].f)
       throw Rejected{"P4", "the winding number is not f, but " + std::to_string(found) + where};
   }

@@ -4,5 +4,5 @@
 #include "../common/checker.h"
 
 void check_decimals(const Statement& statement);  // S1, of the key `decimals`
-// The model is a mesh or a spline model.
+// The model is a mesh, a spline model or a chain file.
 std::string check_points(const Statement& statement, std::string model, const Body& body);

@@ -6,8 +6,9 @@ from collections import namedtuple
 from .common.statement import HEX64, keys_of
 
 # magic: the first bytes of the body.  keys: of the statement, besides those that every statement has.  module: its
-# check(claim, statement, body, model, skip) raises Refused or Reject, or the claim holds.  about_answers: the claim is
-# about a third file, too, whose bytes are one more argument of check().
+# check(claim, statement, body, model, skip) raises Refused or Reject, or the claim holds; the result is what is said
+# about it, or None.  about_answers: the claim is about a third file, too, whose bytes are one more argument of check(),
+# before (name of the model, function that reads the file of a name).
 Claim = namedtuple("Claim", "name magic formats keys module about_answers", defaults=(False,))
 
 MESHES = ("stl", "obj", "ply", "off")
@@ -26,7 +27,7 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("mesh-invalid-1", b"VTMI", MESHES, {**OF_MESHES, "rules": r"M[1-9]( M[1-9])*"}, "mesh.mesh_invalid"),
     Claim("mesh-reversed-1", b"VTMR", MESHES, {**OF_SOLIDS, "reversed": int, "reversed_shells": int},
           "mesh.mesh_reversed"),
-    Claim("points-1", b"VTPT", MESHES + SPLINES, OF_POINTS, "points.points_check", about_answers=True),
+    Claim("points-1", b"VTPT", MESHES + SPLINES + ("chain",), OF_POINTS, "points.points_check", about_answers=True),
     Claim("star-box-1", b"VTSB", SPLINES, OF_STARS, "patches.star_box_check"),
     Claim("star-box-turned-1", b"VTSB", SPLINES, {**OF_STARS, "winding": int}, "patches.star_box_check"),
     Claim("star-box-2", b"VTS2", SPLINES, OF_STARS, "patches.star_box_2_check"),

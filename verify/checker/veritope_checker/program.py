@@ -22,11 +22,12 @@ from .common.statement import read_statement
 
 VERSION = "veritope_check.py 1 (%s; reading rule v1)" % ", ".join(CLAIMS)
 
-def check(model_bytes, cert_bytes, answers=None):
-    """(exit code, line to print) for a model and a certificate given as bytes.  answers: the third file, or None."""
-    return _check(model_bytes, cert_bytes, frozenset(), answers)
+def check(model_bytes, cert_bytes, answers=None, files=None):
+    """(exit code, line to print) for a model and a certificate given as bytes.  answers: the third file, or None.
+    files: the name of the model's file, and what reads the file of a name; for a model that names others."""
+    return _check(model_bytes, cert_bytes, frozenset(), answers, files)
 
-def _check(model_bytes, cert_bytes, skip, answers=None):
+def _check(model_bytes, cert_bytes, skip, answers=None, files=None):
     """check() with some conditions disabled: for tests only, main() has no way to reach it."""
     try:
         statement, body = read_statement(CLAIMS, cert_bytes, model_bytes)
@@ -39,7 +40,8 @@ def _check(model_bytes, cert_bytes, skip, answers=None):
         except ImportError as e:
             name = claim.module.split(".")[-1]
             return 4, "ERROR: the files of %s.py are not beside veritope_check.py: %s" % (name, e)
-        module.check(claim, statement, body, model_bytes, skip, *(() if answers is None else (answers,)))
+        about = () if answers is None else (answers, files or ("", read_named))
+        said = module.check(claim, statement, body, model_bytes, skip, *about)
     except Refused as e:
         return 4, "ERROR: the model is refused: %s" % e
     except Reject as e:
@@ -48,7 +50,24 @@ def _check(model_bytes, cert_bytes, skip, answers=None):
         return 3, "ERROR: out of memory"
     except Exception as e:                                  # our bug: never an ACCEPT
         return 5, "BUG: %s: %s" % (type(e).__name__, e)
-    return 0, "ACCEPT " + statement["claim"]
+    return 0, "ACCEPT %s%s" % (statement["claim"], ": " + said if said else "")
+
+def read_file(name):
+    """The bytes; None of what is no regular file."""
+    if not stat.S_ISREG(os.stat(name).st_mode):             # the opening of a FIFO waits for a writer
+        return None
+    with open(name, "rb") as file:
+        return file.read()
+
+def read_named(name):
+    """The bytes of a file that a model names."""
+    try:
+        data = read_file(name)
+    except (OSError, ValueError) as e:
+        raise Refused("%r: %s" % (name, e))
+    if data is None:
+        raise Refused("%r is not a regular file" % name)
+    return data
 
 
 # ---------------------------------------------------------------- command line
@@ -64,17 +83,14 @@ def main(argv):
         print("usage: veritope_check.py MODEL CERT [ANSWERS]", file=sys.stderr)
         return 2
     try:
-        data = []
-        for name in argv[1:]:
-            if not stat.S_ISREG(os.stat(name).st_mode):     # the opening of a FIFO waits for a writer
-                return say("ERROR: %s: is not a regular file" % name, 4)
-            with open(name, "rb") as file:
-                data.append(file.read())
+        data = [read_file(name) for name in argv[1:]]
+        if None in data:
+            return say("ERROR: %s: is not a regular file" % argv[1 + data.index(None)], 4)
     except OSError as e:
         return say("ERROR: %s" % e, 4)
     except MemoryError:
         return say("ERROR: out of memory", 3)
-    code, message = check(*data)
+    code, message = check(data[0], data[1], data[2] if len(data) > 2 else None, (argv[1], read_named))
     return say(message, code)
 
 def say(message, code):

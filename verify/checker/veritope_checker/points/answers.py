@@ -22,6 +22,8 @@ def read_answers(answers, statement, skip):
     if "A1" not in skip and (len(answers) != statement["answers_bytes"] or
                              hashlib.sha256(answers).hexdigest() != statement["answers_sha256"]):
         raise Reject("A1", "the certificate is about another answers file")
+    if statement["subject_format"] == "chain" and statement["winding"] and "A2" not in skip:
+        raise Reject("A2", "an expression has no winding numbers")
     count_equals("points", answers.count(b"\n"), statement, skip)               # before anything is kept
     words = [word for _, word, _ in lines_of(answers, statement)]
     for word in ("on", "undecided"):
@@ -44,6 +46,8 @@ def lines_of(answers, statement):
             if len(fields) != 6:
                 raise NotAllowed("not six fields with one blank between them")
             point = [coordinate(token, statement["decimals"] == "nearest") for token in fields[:3]]
+            if statement["subject_format"] == "chain" and fields[5] != b"-":
+                raise NotAllowed("an expression has no shells")
             yield (point, *answer(fields[3:], statement["winding"]))
         except NotAllowed as e:
             raise Reject("A2", "line %d: %s" % (number, e)) from None

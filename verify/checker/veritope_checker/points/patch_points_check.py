@@ -26,12 +26,7 @@ def check(claim, statement, data, model, skip, answers, words):
 
     entities, body = read_subject(model, statement["subject_format"]), Body(data)
     breaks, codes = read_body(claim, statement, body, entities, words)
-    for i, entity in enumerate(entities):
-        if not entity or entity.dimension != 3 or max(entity.degrees) > MAX_DEGREE:
-            raise Reject("B2", "entity %d is no surface or triangle in space of degree at most %d" % (i, MAX_DEGREE))
-    patches = [patch for entity, b in zip(entities, breaks) for patch in patches_of(entity, b, 0, 0)]
-    glue(patches, fail)
-    model = Model([Grid(patch) for patch in patches])
+    model = Model(entities, breaks, fail)
     work = Work(statement["points"], statement["subject_bytes"] + len(data))
     for number, ((ratios, word, f), code) in enumerate(zip(lines_of(answers, statement), codes), 1):
         if word == "undecided":
@@ -51,18 +46,28 @@ def read_body(claim, statement, body, entities, words):
     """(breaks of each entity, code of each line or None)"""
     if body.bytes(4) != claim.magic:
         raise Reject("B1", "another magic")
+    num_patches = read_counts(body, entities)
+    if int.from_bytes(body.bytes(8), "little") != statement["points"]:
+        raise Reject("B1", "the number of points differs from the statement's")
+    breaks = read_cuts(body, entities, num_patches, statement["subject_bytes"])
+    codes = [read_code(body, num_patches, word) for word in words]
+    body.end()
+    return breaks, codes
+
+def read_counts(body, entities):
+    """The stated number of patches."""
     num_patches, num_entities = (int.from_bytes(body.bytes(4), "little") for _ in range(2))
     if num_entities != len(entities) or not entities:
         raise Reject("B1", "another number of entities, or none")
-    if int.from_bytes(body.bytes(8), "little") != statement["points"]:
-        raise Reject("B1", "the number of points differs from the statement's")
+    return num_patches
+
+def read_cuts(body, entities, num_patches, model_bytes):
+    """The breaks of the entities."""
     breaks = read_all_breaks(body, entities)
     cells = sum(1 if e.kind == "triangle" else (len(b[0]) - 1) * (len(b[1]) - 1) for e, b in zip(entities, breaks) if e)
-    if cells != num_patches or BYTES_OF_PATCH * cells > statement["subject_bytes"] + len(body.data):
+    if cells != num_patches or BYTES_OF_PATCH * cells > model_bytes + len(body.data):
         raise Reject("B1", "%d patches, which is another number than stated, or too many for the bytes" % cells)
-    codes = [read_code(body, cells, word) for word in words]
-    body.end()
-    return breaks, codes
+    return breaks
 
 def read_code(body, num_patches, word):
     """A direction, (patch, two rationals or Algebraic), or None if there is no code."""
@@ -70,6 +75,9 @@ def read_code(body, num_patches, word):
         return None
     if word == "off":
         return body.u8(5)
+    return read_place(body, num_patches)
+
+def read_place(body, num_patches):
     patch = body.varint()
     if patch >= num_patches:
         raise Reject("B1", "patch %d does not exist" % patch)
@@ -111,9 +119,19 @@ def rounded(n, d, scale):
     return n // d, -(-n // d)
 
 class Model:
-    def __init__(self, grids):
-        """firsts[edge]: (patch, side) of its first side."""
-        self.grids = grids
+    def __init__(self, entities, breaks, fail):
+        """Tests B2 and P1.  vertices: of corner 4 * patch + corner.  firsts[edge]: (patch, side) of its first side."""
+        for i, entity in enumerate(entities):
+            if not entity or entity.dimension != 3 or max(entity.degrees) > MAX_DEGREE:
+                raise Reject("B2", "entity %d is no surface or triangle in space of degree <= %d" % (i, MAX_DEGREE))
+        self.patches = [patch for entity, b in zip(entities, breaks) for patch in patches_of(entity, b, 0, 0)]
+        self.vertices = glue(self.patches, fail)[3]
+        self.grids = grids = [Grid(patch) for patch in self.patches]
+        self.corners, self.sides = {}, {}                   # (patch, corner), (patch, side) by vertex, by edge
+        for i, patch in enumerate(self.patches):
+            for k, side in enumerate(patch.sides):
+                self.corners.setdefault(self.vertices[4 * i + k], []).append((i, k))
+                self.sides.setdefault(side and side[0], []).append((i, k))
         self.firsts = {border[0]: (i, s) for i, grid in enumerate(grids) for s, border in enumerate(grid.borders)
                        if border and border[1]}
         self.scale = BOX_BITS - max(abs(c[k]).bit_length() - c[3].bit_length() for grid in grids for row in grid.rows

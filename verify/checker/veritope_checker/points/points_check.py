@@ -3,7 +3,7 @@
 from math import gcd, lcm
 
 from .answers import lines_of, read_answers
-from . import patch_points_check
+from . import expression_check, patch_points_check
 from .box_tree import BoxTree, boxes_of_triangles
 from ..claims import SPLINES
 from ..mesh import mesh_reader
@@ -11,11 +11,13 @@ from ..mesh.mesh_model import TOO_MUCH_WORK, Body, integers_of, line_stabs, sign
 from ..common.errors import Reject
 from ..common.vectors import cross, dot, sub
 
-def check(claim, statement, body, model, skip, answers):
+def check(claim, statement, body, model, skip, answers, files):
+    """Returns text for a chain file: how many points are not covered."""
     words = read_answers(answers, statement, skip)                              # A1, A2
+    if statement["subject_format"] == "chain":
+        return expression_check.check(claim, statement, body, model, skip, answers, files)
     if statement["subject_format"] in SPLINES:
-        patch_points_check.check(claim, statement, body, model, skip, answers, words)
-        return
+        return patch_points_check.check(claim, statement, body, model, skip, answers, words)
     floats, triangles = mesh_reader.read_model(model, statement["subject_format"], statement["as_indexed"])
     codes = read_codes(claim, statement, Body(body), floats, triangles, words)
     points, unit = integers_of(floats)

@@ -1,0 +1,262 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""Tests of docs/certificates/points.md, section 7: true words of expressions are accepted, and each condition rejects lies that break nothing
+else. What is true says the oracle of expression_forge.py, or the hand of who wrote the test."""
+import json
+import random
+import unittest
+from fractions import Fraction as Q
+
+import mesh_test                                          # says where the others are
+
+attacks, vc = mesh_test.attacks, mesh_test.vc
+import expression_forge as forge                          # noqa: E402
+from veritope_checker.common.errors import Refused        # noqa: E402
+
+RNG = random.Random(5)
+
+
+def block(low, high):
+    return forge.MeshSolid(forge.box_planes(low, high), *forge.box_mesh(low, high), random.Random(1), False)
+
+
+def cube(low, size):
+    part = forge.curved.cube().placed([Q(size, 2)] * 3, [c + Q(size, 2) for c in low])
+    return forge.PatchSolid(forge.box_planes(low, [c + size for c in low]), part, random.Random(2))
+
+
+LEFT, RIGHT, SMALL = block((0, 0, 0), (1, 1, 1)), block((1, 0, 0), (2, 1, 1)), block((0, 0, 0), (.5, .5, .5))
+BOX = (-1, -1, -1), (3, 3, 3)
+
+
+class ExpressionTest(unittest.TestCase):
+    def use(self, tree, box=BOX, **operands):
+        self.chain = forge.Chain(tree, operands, {name: name.lower() for name in operands}, box)
+        self.subject = forge.Subject(self.chain, False)
+        return self
+
+    def plan(self, *points):
+        return forge.Plan(self.subject, [forge.true_line(self.subject, [Q(c) for c in q], RNG, "exact") for q in points], "exact")
+
+    def line(self, q, word, *codes):
+        return forge.Plan(self.subject, [forge.Line([str(c) for c in q], word, bytes(codes))], "exact")
+
+    def ask(self, plan, model=None, files=None, skip=None):
+        model = model or self.chain.data
+        beside = "", forge.Files(self.chain.files() if files is None else files, Refused)
+        given = model, plan.certificate(model, self.subject.as_indexed)
+        return vc.check(*given, plan.answers(), beside) if skip is None else vc._check(*given, frozenset(skip), plan.answers(), beside)
+
+    def says(self, expected, plan, **how):
+        code, message = self.ask(plan, **how)
+        self.assertEqual(attacks.condition_of(code, message), expected, message)
+        return message
+
+    def alone(self, condition, plan, **how):
+        """The condition, and no other one, rejects the certificate."""
+        self.says(condition, plan, **how)
+        self.assertEqual(self.ask(plan, skip=(condition,), **how)[0], 0)
+
+
+class Words(ExpressionTest):
+    # PROVES POINT-6
+    def test_walls_that_two_blocks_share(self):
+        for tree, word in ((("|", "A", "B"), "in"), (("+", "A", "B"), "in"), (("&", "A", "B"), "out"), (("-", "A", "B"), "on"), (("-", "B", "A"), "on"),
+                           (("&", "A", ("!", "B")), "on"), (("-", "A", "A"), "out")):
+            operands = {name: {"A": LEFT, "B": RIGHT}[name] for name in forge.leaves_of(tree)}
+            self.use(tree, **operands)
+            self.assertEqual(self.subject.word((1, Q(1, 2), Q(1, 3))), word)
+            self.says("ACCEPT", self.plan((1, Q(1, 2), Q(1, 3)), (1, 0, Q(1, 2)), (1, 1, 1), (Q(1, 2),) * 3, (2, 2, 2)))
+
+    def test_sides_of_the_box(self):
+        self.use(("|", ("!", "A"), "A"), A=LEFT)
+        plan = self.plan((-1, 0, 0), (-1, -1, 0), (3, 3, 3), (0, 0, 0), (1, Q(1, 2), Q(1, 2)), (4, 0, 0))
+        self.assertEqual([line.word for line in plan.lines], ["on", "on", "on", "in", "in", "out"])
+        self.assertEqual([len(line.codes) for line in plan.lines[:3]], [0, 0, 0])
+        self.says("ACCEPT", plan)
+
+    def test_patches_are_flat_walls(self):
+        for other in RIGHT, cube((1, 0, 0), 1):
+            self.use(("|", "A", "B"), A=cube((0, 0, 0), 1), B=other)
+            plan = self.plan((1, Q(1, 2), Q(1, 3)), (1, 0, Q(1, 2)), (1, 1, 1), (1, 0, 0), (0, 0, 0), (Q(1, 2),) * 3)
+            self.assertEqual([line.word for line in plan.lines], ["in", "on", "on", "on", "on", "in"])
+            self.says("ACCEPT", plan)
+
+    def test_a_file_in_a_file_is_beside_it(self):
+        inner = forge.Chain(("-", "A", "B"), {"A": LEFT, "B": SMALL}, {"A": "parts/a", "B": "../b"}, BOX)
+        self.chain = forge.Chain(("&", "X", ("!", "A")), {"X": inner, "A": SMALL}, {"X": "in/x.json", "A": "./b"}, ((-2, -2, -2), (4, 4, 4)))
+        self.subject = forge.Subject(self.chain, False)
+        files = {"in/x.json": inner.data, "in/parts/a": LEFT.data, "in/../b": SMALL.data}
+        self.says("ACCEPT", self.plan((Q(1, 4),) * 3, (Q(3, 4),) * 3, (Q(1, 2), Q(1, 4), Q(1, 4))), files=files)
+
+    def test_random_ones(self):
+        for seed in range(25):
+            rng = random.Random(seed)
+            self.subject = forge.random_subject(rng)
+            self.chain = self.subject.chain
+            self.says("ACCEPT", forge.true_plan(self.subject, rng))
+
+
+class Codes(ExpressionTest):
+    def test_only_what_is_needed_has_a_code(self):
+        self.use(("|", "A", "B"), A=LEFT, B=SMALL)
+        inside, half = (Q(1, 4),) * 3, (Q(3, 4),) * 3
+        self.says("ACCEPT", self.line(half, "in", 6))         # the box of B does not hold it
+        self.says("ACCEPT", self.line(inside, "in", 6 + 3))
+        self.says("ACCEPT", self.line(inside, "in", forge.OPEN, 6))
+        self.says("B1", self.line(inside, "in", 6, 6))
+        self.says("ACCEPT", self.line((2, 2, 2), "out"))
+        self.says("B1", self.line((2, 2, 2), "out", 0))
+        self.says("B1", self.line(inside, "in", 15))
+        self.says("B1", self.line(inside, "in"))
+
+    def test_each_condition_of_a_code(self):
+        self.use(("-", "A", "B"), A=LEFT, B=SMALL)
+        inside, face = (Q(1, 4),) * 3, (1, Q(3, 4), Q(1, 3))
+        on = self.subject.solids[0].places(face)[0]
+        self.says("ACCEPT", self.line(face, "on", forge.ON, *on))
+        other = bytes([next(f for f in range(12) if bytes([f]) not in self.subject.solids[0].places(face))])
+        self.alone("P2", self.line(face, "on", forge.ON, *other))
+        self.alone("P3", self.line(face, "out", 0))
+        self.alone("P4", self.line(inside, "out", 0))
+        self.alone("P4", self.line((Q(3, 4),) * 3, "out", 0))
+        self.alone("P5", self.line(inside, "in", 6, 6))
+        self.alone("P5", self.line(inside, "out", 6, forge.OPEN))
+        self.says("B1", self.line(face, "on", forge.ON, 12))
+
+    def test_operands_that_are_open(self):
+        self.use(("&", "A", "B"), A=LEFT, B=SMALL)
+        inside = (Q(1, 4),) * 3
+        self.says("P5", self.line(inside, "in", 6, forge.OPEN))
+        self.says("P5", self.line(inside, "in", forge.OPEN, 6))
+        self.use(("|", ("&", "A", "B"), "A"), A=LEFT, B=SMALL)  # it does not matter what B is
+        self.says("ACCEPT", self.line(inside, "in", 6, forge.OPEN))
+        self.says("ACCEPT", self.line((1, Q(3, 4), Q(1, 3)), "on", forge.ON, *LEFT.places((1, Q(3, 4), Q(1, 3)))[0]))
+
+    def test_points_that_are_not_covered_are_counted(self):
+        self.use(("|", "A", "B"), A=LEFT, B=SMALL)
+        lie = self.line((Q(1, 4),) * 3, "out", forge.NOT_COVERED)
+        self.assertIn("1 points, 1 not covered", self.says("ACCEPT", lie))
+        self.says("B1", lie.copy(counts={"marked": 0}))
+        self.says("B1", lie.copy(counts={"marked": 2}))
+        self.says("P5", lie.copy(lines=[lie.lines[0].changed(codes=b"\6")]))
+
+    def test_more_than_twelve_solids_at_a_point(self):
+        blocks = {"ABCDEFGHIJKLMNO"[i]: block((0, 0, 0), (1 + i, 1, 1)) for i in range(14)}
+        tree = "A"
+        for name in sorted(blocks)[1:]:
+            tree = "|", tree, name
+        self.use(tree, box=((-1, -1, -1), (20, 3, 3)), **blocks)
+        self.says("ACCEPT", self.plan((0, 0, 0), (Q(1, 2), 0, 0), (Q(1, 2), Q(1, 2), 0), (14, 1, 1)))
+        wrong = self.plan((0, 0, 0))
+        self.alone("P5", wrong.with_line(0, word="in"))
+
+
+class Files(ExpressionTest):
+    def setUp(self):
+        self.use(("-", "A", ("!", "B")), A=LEFT, B=SMALL)
+        self.true = self.plan((Q(1, 4),) * 3, (Q(3, 4),) * 3)
+        self.files = self.chain.files()
+
+    def test_a_changed_file(self):
+        self.alone("O1", self.true, files={**self.files, "a": self.files["a"] + b"\n"})
+        self.says("O1", self.true, files={"a": self.files["b"], "b": self.files["a"]})
+        self.says("exit 4", self.true, files={"a": self.files["a"]})
+
+    def test_operands_lie_in_the_interior_of_the_box(self):
+        for low, high in (((0, -1, -1), (3, 3, 3)), ((-1, -1, -1), (3, 1, 3)), ((-1, -1, Q(1, 4)), (3, 3, 3))):
+            self.use(("|", "A", "B"), box=(low, high), A=LEFT, B=SMALL)
+            self.alone("O2", self.plan())
+        inner = forge.Chain("A", {"A": SMALL}, {"A": "s"}, ((-3, -3, -3), (2, 2, 2)))
+        self.use("X", box=((-3, -4, -4), (4, 4, 4)), X=inner)
+        self.alone("O2", self.plan(), files={"x": inner.data, "s": SMALL.data})
+
+    def test_a_mesh_that_is_not_closed(self):
+        hole = block((0, 0, 0), (1, 1, 1))
+        hole.model = hole.model.copy(tris=hole.model.tris[1:])
+        hole.mesh, hole.data = forge.forge.mesh_of(hole.model), hole.model.encode()
+        self.use("A", A=hole)
+        self.alone("P1", self.plan())
+
+    def test_what_a_chain_file_must_be(self):
+        good = json.loads(self.chain.data)
+        operands = good["operands"]
+
+        def refused(**changes):
+            data = json.dumps({**good, **changes}).encode()
+            self.says("exit 4", self.true, model=data)
+
+        for key in good:
+            refused(**{key: None})
+            self.says("exit 4", self.true, model=json.dumps({k: v for k, v in good.items() if k != key}).encode())
+        refused(schema="veritope-chain-2")
+        refused(boundary="certified")
+        refused(other=1)
+        for expression in ("", "A", "A - !(B", "A - !B)", "A - - B", "A B", "A - !B -", "A - !C", "A | \"b\"", "A - !B & 1", "A ^ B", "!"):
+            refused(expression=expression)
+        for box in (["0"] * 5, ["0"] * 6, ["-1", "-1", "-1", "3", "3", 3], ["-1", "-1", "-1", "3", "3", "x"], ["3", "3", "3", "-1", "-1", "-1"]):
+            refused(box=box)
+        for changes in ({"name": "1"}, {"name": "B"}, {"path": ""}, {"path": "\0"}, {"sha256": "0"}, {"format": "off2"}, {"format": 1}, {"more": ""}):
+            refused(operands=[{**operands[0], **changes}, *operands[1:]])
+        refused(operands=operands + [{**operands[0], "name": "C"}])
+        self.says("exit 4", self.true, model=self.chain.data + b"x")
+        self.says("ACCEPT", self.true, model=b"\xef\xbb\xbf" + self.chain.data.replace(b": ", b" :\r\n\t"))
+        self.says("ACCEPT", self.true, model=self.chain.data.replace(b"(A - !(B))", b"A-! (((B)))"))
+
+    def test_strength_of_operators(self):
+        blocks = {"A": LEFT, "B": RIGHT, "C": SMALL}
+        for text, tree in (("A | B & C", ("|", "A", ("&", "B", "C"))), ("A - B | C", ("|", ("-", "A", "B"), "C")), ("A - B - C", ("-", ("-", "A", "B"), "C")),
+                           ("!A & B | C", ("|", ("&", ("!", "A"), "B"), "C")), ("A & !B & C", ("&", ("&", "A", ("!", "B")), "C")),
+                           ("A - (B | C)", ("-", "A", ("|", "B", "C"))), ("!!A | B + C", ("+", ("|", ("!", ("!", "A")), "B"), "C"))):
+            self.use(tree, **blocks)
+            self.chain.changed = {"expression": text}
+            points = [(Q(i, 4), Q(j, 4), Q(1, 4)) for i in range(-1, 10) for j in range(-1, 6, 2)]
+            self.says("ACCEPT", self.plan(*points))
+
+    def test_long_and_deep_expressions(self):
+        for text in ("(" * 5000 + "A" + ")" * 5000, "!" * 3000 + "A", " | ".join(["A"] * 9999), "(A & " * 3000 + "A" + ")" * 3000):
+            self.use("A", A=LEFT)
+            if "!" in text:                               # an even number of complements, on which the word depends inside of the box only
+                self.subject.variables.append(self.chain.box)
+            self.chain.changed = {"expression": text}
+            leaves = text.count("A")
+            self.says("ACCEPT", self.line((Q(1, 4),) * 3, "in", 6).copy(counts={"leaves": leaves}))
+            self.says("P5", self.line((Q(1, 4),) * 3, "out", 6).copy(counts={"leaves": leaves}))
+        for text in (" | ".join(["A"] * 10001), "!" * 100001 + "A"):
+            self.chain.changed = {"expression": text}
+            self.says("exit 4", self.line((9, 9, 9), "out"))
+
+    def test_files_that_double(self):
+        inner, files = LEFT, {"f0": LEFT.data}
+        for k in range(1, 20):
+            inner = forge.Chain(("|", "A", "A"), {"A": inner}, {"A": "f%d" % (k - 1)}, ((-k, -k, -k), (k + 1, k + 1, k + 1)))
+            files["f%d" % k] = inner.data
+            self.chain, self.subject = inner, None
+            subject = type("Subject", (), {"solids": [LEFT], "num_leaves": 2 ** k, "as_indexed": False})
+            plan = forge.Plan(subject, [forge.Line(["0.5"] * 3, "in", b"\6")], "exact")
+            self.subject = subject
+            self.says("ACCEPT" if 2 ** k <= 10000 else "exit 4", plan, files=files)
+
+    def test_files_in_files(self):
+        inner, files = LEFT, {"f0": LEFT.data}
+        for k in range(1, 1002):
+            inner = forge.Chain("A", {"A": inner}, {"A": "f%d" % (k - 1)}, ((-k, -k, -k), (k + 1, k + 1, k + 1)))
+            inner = type("Done", (), {"data": inner.data, "form": "chain", "box": inner.box})
+            files["f%d" % k] = inner.data
+            if k >= 1000:
+                self.subject = type("Subject", (), {"solids": [LEFT], "num_leaves": 1, "as_indexed": False})
+                plan = forge.Plan(self.subject, [forge.Line(["0.5"] * 3, "in", b"\6")], "exact")
+                self.says("ACCEPT" if k == 1000 else "exit 4", plan, model=inner.data, files=files)
+
+
+class Work(ExpressionTest):
+    def test_many_wedges_at_a_point(self):
+        for n, expected in ((40, "ACCEPT"), (300, "B1")):
+            a, b = (forge.pyramid(n, floor, RNG) for floor in (0.0, -1.0))
+            self.use(("|", "A", "B"), box=((-2000,) * 3, (2000,) * 3), A=a, B=b)
+            codes = b"".join(bytes([forge.ON]) + solid.places((0, 0, 9))[0] for solid in (a, b))
+            self.says(expected, self.line((0, 0, 9), "on", *codes))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -241,6 +241,22 @@ std::uint32_t ExpressionOperands::variable_of(const ExactBox<3>& box) {
   return at->second;
 }
 
+std::optional<ExactBox<3>> ExpressionOperands::box_of(const Formula& formula) const {
+  std::optional<ExactBox<3>> out;
+  for (const std::uint32_t variable : formula.variables()) {
+    const Solid& solid = solids_[variable];
+    ExactBox<3> box;
+    if (const auto* const mesh = std::get_if<TriangleMesh>(&solid))
+      box = box_around(*mesh);
+    else if (const auto* const own = std::get_if<ExactBox<3>>(&solid))
+      box = *own;
+    else
+      box = box_around(*std::get<std::unique_ptr<const PatchComplex>>(solid));
+    out = out ? hull(*out, box) : std::move(box);
+  }
+  return out;
+}
+
 std::vector<std::shared_ptr<const Operand>> ExpressionOperands::take_solids() {
   std::vector<std::shared_ptr<const Operand>> out;
   for (Solid& solid : solids_) {

@@ -25,7 +25,7 @@ class RayCaster {
   /// A ray that is in the solid right after it enters the box of the cells hits there.
   /// Claim    The point at the hit's t is in the solid, and one at most kTolerance before it is not; or the solid has
   ///          its own walls (SolidProbe) and may have one within kThinnest of the hit. Points before the hit are off
-  ///          the solid, except perhaps in cells whose value is mixed, and there for less than kStride of the ray beside
+  ///          the solid, except perhaps in cells whose value is mixed: there for less than kStride of the ray beside
   ///          a hit, or kThinnest elsewhere. All this up to the rounding of points of the ray.
   std::optional<RayHit> first_hit(const ParametricRay& ray, std::optional<double> guess) const;
 

@@ -18,11 +18,12 @@ Box3d box_between(const Vec3d& a, const Vec3d& b) {
 class RayWalk {
  public:
   RayWalk(const SolidProbe& solid, const ParametricRay& ray, double begin,
-          std::optional<double> guess)
-      : solid_(solid), ray_(ray), begin_(begin), guess_(guess) {}
+          std::optional<double> guess, bool with_thin)
+      : solid_(solid), ray_(ray), begin_(begin), guess_(guess), with_thin_(with_thin) {}
 
   // Whether the walk ends in this piece.
   bool take(const RayPiece& piece) {
+    answer_.met_cells = true;
     if (!(piece.begin <= last_)) {  // a gap, whose points are off the solid
       if (is_hit_in_passed()) return true;
       off_ = piece.begin;
@@ -34,21 +35,21 @@ class RayWalk {
     return is_hit_in(piece);
   }
   // After the last piece.
-  std::optional<RayHit> finish() {
-    if (!hit_) is_hit_in_passed();
-    return hit_;
+  RayAnswer finish() {
+    if (!answer_.hit) is_hit_in_passed();
+    return answer_;
   }
 
  private:
   static constexpr double kStride = RayCaster::kStride;
-  static constexpr double kNear = 0x1p-5;
+  static constexpr double kNear = 0.5 * RayCaster::kTolerance;
 
   bool is_in(double t) const {
     const PointWord word = solid_.word(ray_.at(t));
     return word != PointWord::kOut;
   }
   bool end_at(const RayHit& hit) {
-    hit_ = hit;
+    answer_.hit = hit;
     return true;
   }
 
@@ -65,9 +66,14 @@ class RayWalk {
 
   // The point at `in` is in the solid, that at `off` is not.
   bool end_between(double off, double in) {
+    // From the guess in steps that grow, until it is between them.
     if (guess_)
-      for (const double t : {*guess_ - kNear, *guess_ + kNear})
+      for (double step = kNear; off < *guess_ - step || *guess_ + step < in; step *= 8) {
+        const double t = *guess_ - step, u = *guess_ + step;
         if (off < t && t < in) (is_in(t) ? in : off) = t;
+        if (off < u && u < in) (is_in(u) ? in : off) = u;
+        if (t <= off && in <= u) break;
+      }
     while (in - off > RayCaster::kTolerance) {
       const double middle = 0.5 * (off + in);
       if (!(off < middle && middle < in)) break;
@@ -78,9 +84,11 @@ class RayWalk {
 
   // The strides through the pieces before this gap found nothing: looks for what is thinner than they are.
   bool is_hit_in_passed() {
-    if (num_passed_ == 0) return false;
+    if (num_passed_ == 0 || !with_thin_) return false;
     num_passed_ = 0;
-    return is_thin_hit(passed_.begin, passed_.end);
+    if (!is_thin_hit(passed_.begin, passed_.end)) return false;
+    answer_.hit->is_thin = true;
+    return true;
   }
   // Boxes around shorter and shorter parts of the ray, until the middle of one is in the solid, or they are all 0.
   bool is_thin_hit(double begin, double end) {
@@ -99,18 +107,19 @@ class RayWalk {
   const ParametricRay& ray_;
   double begin_;
   std::optional<double> guess_;
+  bool with_thin_;
   double last_ = -std::numeric_limits<double>::infinity();  // the end of the piece before
   double off_ = 0;   // the last parameter that is known to be off the solid
   RayPiece passed_;  // since the last gap
   unsigned num_passed_ = 0;
-  std::optional<RayHit> hit_;
+  RayAnswer answer_;
 };
 
 }  // namespace
 
-std::optional<RayHit> RayCaster::first_hit(const ParametricRay& ray,
-                                           std::optional<double> guess) const {
-  RayWalk walk(solid_, ray, cells_.clipped(ray).begin, guess);
+RayAnswer RayCaster::first_hit(const ParametricRay& ray, std::optional<double> guess,
+                               bool with_thin) const {
+  RayWalk walk(solid_, ray, cells_.clipped(ray).begin, guess, with_thin);
   cells_.walk(ray, [&](const RayPiece& piece) { return walk.take(piece); });
   return walk.finish();
 }

@@ -10,13 +10,19 @@ namespace veritope::internal {
 
 struct RayHit {
   double t = 0;
-  bool is_cut = false;  ///< on the side of the box: the solid goes on outside of it
+  bool is_cut = false;   ///< on the side of the box: the solid goes on outside of it
+  bool is_thin = false;  ///< found by boxes alone: strides pass over it
+};
+
+struct RayAnswer {
+  std::optional<RayHit> hit;
+  bool met_cells = false;  ///< the ray met a cell that is not 0
 };
 
 class RayCaster {
  public:
   /// Lengths are in units of t, which are sides of samples.
-  static constexpr double kStride = 3, kThin = 1, kThinnest = 0x1p-5, kTolerance = 0x1p-9;
+  static constexpr double kStride = 3, kThin = 1, kThinnest = 0x1p-5, kTolerance = 0x1p-6;
 
   /// Keeps references.
   RayCaster(const SolidProbe& solid, const ValueCells& cells) : solid_(solid), cells_(cells) {}
@@ -27,7 +33,9 @@ class RayCaster {
   ///          its own walls (SolidProbe) and may have one within kThinnest of the hit. Points before the hit are off
   ///          the solid, except perhaps in cells whose value is mixed: there for less than kStride of the ray beside
   ///          a hit, or kThinnest elsewhere. All this up to the rounding of points of the ray.
-  std::optional<RayHit> first_hit(const ParametricRay& ray, std::optional<double> guess) const;
+  /// @param with_thin  false: less than kStride elsewhere, too
+  RayAnswer first_hit(const ParametricRay& ray, std::optional<double> guess,
+                      bool with_thin = true) const;
 
  private:
   const SolidProbe& solid_;

@@ -8,11 +8,11 @@
 
 namespace veritope {
 
-/// The picture of the part of a solid that lies in a box, on white, as large as it fits. Each pixel has a ray, and on it
-/// the first point of the solid, to 2^-6 of a third of a pixel, by exact answers of the solid alone. Nine samples a
-/// pixel have rays of their own, except where the rays of nine pixels find nothing, or what looks smooth. Where the
-/// solid goes on outside of the box, the sides of the box show in another tint. Parts that are thinner than a pixel may
-/// be missing within some seven pixels in front of others; elsewhere only if the solid has not its own walls
+/// The picture of the part of a solid that lies in a box, on white, as large as it fits. Each pixel has a ray, and on
+/// it the first point of the solid, to 1/192 of a pixel, by exact answers of the solid alone. Nine samples a pixel
+/// have rays of their own, except where the rays of nine pixels find nothing, or what looks smooth. Where the solid
+/// goes on outside of the box, the sides of the box show in another tint. Parts that are thinner than a pixel may be
+/// missing within some seven pixels in front of others; elsewhere only if the solid has not its own walls
 /// (SolidProbe), and only if they are thinner than 1/96 of a pixel.
 /// The pixels are the same with every compiler and for every number of threads.
 /// @error kBadArgument: see check_picture_options; kEmpty: no ray hits the solid in the box; kOverLimit: the box has

@@ -21,7 +21,7 @@ PictureOptions small_picture(std::size_t width = 96, std::size_t height = 80) {
   return options;
 }
 
-// The same hashes for every compiler, -O level and number of threads.
+// Hashes do not depend on the compiler, its -O level and the number of threads.
 TEST(CastSolid, PicturesHaveFixedPixels) {
   const BallProbe ball(Rational(1));
   PictureOptions options = small_picture();

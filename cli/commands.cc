@@ -6,15 +6,16 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<Command, 14> kCommands = {{
+constexpr std::array<Command, 15> kCommands = {{
     {"certify", "decide whether models bound solids, and prove it", declare_certify},
     {"info", "list what is in mesh and spline files", declare_info},
     {"convert", "write a mesh or splines in another format, without loss", declare_convert},
     {"intersect", "find where the surfaces of two files meet, and prove it", declare_intersect},
-    {"project", "find all critical points of a distance, and prove it", declare_project},
+    {"project", "find where distances are critical, and prove it", declare_project},
     {"classify", "decide whether points are in, on or out of a solid", declare_classify},
     {"boolean", "write an expression of solids, for classify", declare_boolean},
     {"chain", "list the cells of a solid's chains, and what they cost", declare_chain},
+    {"render", "write a picture of a solid, or of points in it", declare_render},
     {"cover", "write the boxes and cells of a proof, to look at", declare_cover},
     {"explain", "explain a rule or an answer; without RULE list them", declare_explain},
     {"explain-certificate", "print a certificate as text", declare_explain_certificate},

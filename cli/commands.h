@@ -35,6 +35,7 @@ RunCommand declare_project(OptionSet& set);
 RunCommand declare_classify(OptionSet& set);
 RunCommand declare_boolean(OptionSet& set);
 RunCommand declare_chain(OptionSet& set);
+RunCommand declare_render(OptionSet& set);
 RunCommand declare_cover(OptionSet& set);
 RunCommand declare_explain(OptionSet& set);
 RunCommand declare_explain_certificate(OptionSet& set);

@@ -267,6 +267,22 @@ std::uint32_t ExpressionOperands::variable_of(const ExactBox<3>& box) {
   return at->second;
 }
 
+std::optional<ExactBox<3>> ExpressionOperands::box_of(const Formula& formula) const {
+  std::optional<ExactBox<3>> out;
+  for (const std::uint32_t variable : formula.variables()) {
+    const Solid& solid = solids_[variable];
+    ExactBox<3> box;
+    if (const auto* const mesh = std::get_if<TriangleMesh>(&solid))
+      box = box_around(*mesh);
+    else if (const auto* const own = std::get_if<ExactBox<3>>(&solid))
+      box = *own;
+    else
+      box = box_around(*std::get<std::unique_ptr<const PatchComplex>>(solid));
+    out = out ? hull(*out, box) : std::move(box);
+  }
+  return out;
+}
+
 std::vector<ExpressionSolid> ExpressionOperands::take_solids() {
   for (std::size_t i = 0; i < solids_.size(); ++i) {
     std::shared_ptr<const Operand>& out = sources_[i].operand;

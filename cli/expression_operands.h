@@ -52,6 +52,10 @@ class ExpressionOperands {
   /// Likewise; the error may be kOverLimit, or kBadArgument if an operand is not in the interior of the box.
   Result<ExpressionOperand> combine(const BoundExpression& expression);
 
+  /// The least box around the vertices, control points and boxes of all solids that a formula names. Nothing if it is
+  /// constant. REQUIRES solids that were not taken yet.
+  std::optional<ExactBox<3>> box_of(const Formula& formula) const;
+
   /// The first of 5, 1, 4, 3, 0 that occurred.
   ExitCode exit() const { return exit_; }
   std::size_t num_solids() const { return solids_.size(); }

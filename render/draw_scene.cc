@@ -11,7 +11,6 @@
 #include "render/picture_caption_internal.h"
 
 namespace veritope {
-namespace {
 
 Status check_picture_options(const PictureOptions& options) {
   constexpr std::size_t kLeast = 64;
@@ -26,6 +25,8 @@ Status check_picture_options(const PictureOptions& options) {
   if (is_zero) return bad_argument("the direction of view is 0");
   return ok_status();
 }
+
+namespace {
 
 Status check_scene_size(const Scene& scene) {
   std::size_t points = 0, triangles = 0, marks = scene.markers.size();

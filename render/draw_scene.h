@@ -20,6 +20,9 @@ struct PictureOptions {
   unsigned jobs = 1;  ///< threads; 0: as many as the machine runs at once
 };
 
+/// @error kBadArgument: a side, or the view, is outside its range
+Status check_picture_options(const PictureOptions& options);
+
 /// The picture of a scene on white, as large as it fits between its title and its legend. Its pixels are the same with
 /// every compiler and for every number of threads. Sheets that are farther apart than 10^-8 of the scene's size are
 /// drawn in their order.

@@ -10,6 +10,9 @@
 
 namespace veritope::internal {
 
+/// The share of its colour that a surface with this unit normal shows: to the right, upward, toward the camera.
+double light_of(const Point3d& normal);
+
 /// How a triangle faces the camera.
 struct FacetView {
   double light = 1;  ///< the share of its colour that is seen

@@ -39,7 +39,13 @@ Point3d upward_axis(const Point3d& toward) {
 
 }  // namespace
 
-SceneCamera::SceneCamera(const Box3d& box, const Point3d& view) : lo_(box.lo) {
+ViewAxes view_axes(const Point3d& view) {
+  const Point3d toward = against(view), right = unit_vector(cross_of(upward_axis(toward), toward));
+  return {right, cross_of(toward, right), toward};
+}
+
+SceneCamera::SceneCamera(const Box3d& box, const Point3d& view)
+    : lo_(box.lo), axes_(view_axes(view)) {
   VT_CHECK(is_finite(box), "a scene has finite coordinates");
   if (!std::isfinite(extent(box))) factor_ = 0.5;
   double longest = 0;
@@ -48,9 +54,6 @@ SceneCamera::SceneCamera(const Box3d& box, const Point3d& view) : lo_(box.lo) {
   std::frexp(longest, &exponent_);
   for (std::size_t k = 0; k < 3; ++k) half_size_[k] = 0.5 * from_low_side(box.hi, k);
   if (longest > 0) radius_ = std::sqrt(dot_of(half_size_, half_size_));
-  toward_ = against(view);
-  right_ = unit_vector(cross_of(upward_axis(toward_), toward_));
-  up_ = cross_of(toward_, right_);
 }
 
 // The difference is at most the longest side, which factor_ makes finite, and less than 1 after scaling.
@@ -61,7 +64,7 @@ double SceneCamera::from_low_side(const Point3d& p, std::size_t axis) const {
 Point3d SceneCamera::in_frame(const Point3d& p) const {
   Point3d unit;
   for (std::size_t k = 0; k < 3; ++k) unit[k] = from_low_side(p, k) - half_size_[k];
-  return {dot_of(unit, right_), dot_of(unit, up_), dot_of(unit, toward_)};
+  return {dot_of(unit, axes_.right), dot_of(unit, axes_.up), dot_of(unit, axes_.toward)};
 }
 
 // Along a straight line of the picture the inverse of the distance is linear, the distance is not.

@@ -25,6 +25,14 @@ struct PictureBox {
   double height() const { return bottom - top; }
 };
 
+/// Unit vectors of a picture: to the right, upward, and toward the camera. The third axis points upward, or the second
+/// one in views along the third.
+struct ViewAxes {
+  Point3d right, up, toward;
+};
+/// REQUIRES finite view, not 0; of any length.
+ViewAxes view_axes(const Point3d& view);
+
 /// A camera on the line through the centre of a box, at four times the radius R of the sphere around the box. Points
 /// of the box lie at least 3 R (up to rounding) in front of it, so nothing is ever clipped.
 class SceneCamera {
@@ -42,7 +50,8 @@ class SceneCamera {
  private:
   double from_low_side(const Point3d& p, std::size_t axis) const;
 
-  Point3d lo_, half_size_{}, right_, up_, toward_;
+  Point3d lo_, half_size_{};
+  ViewAxes axes_;
   double factor_ = 1;  // 1/2 if the box's longest side is beyond binary64
   int exponent_ = 0;
   double radius_ = 1;

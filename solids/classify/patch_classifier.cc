@@ -57,6 +57,7 @@ class PatchClassifier::Body {
         hi({box.hi[0], box.hi[1], box.hi[2]}, rays_.scale());
     const Box3d divided{lo.box().lo, hi.box().hi};
     if (!meets(divided, rays_.hull())) return Value3::kZero;
+    if (const auto known = octree_.value(divided)) return *known;
     if (!rays_.misses(divided)) return Value3::kMixed;
     const PointAnswer a = classify(Vec3d{box.lo[0], box.lo[1], box.lo[2]}, nullptr);
     if (!a.is_decided || a.is_on()) return Value3::kMixed;

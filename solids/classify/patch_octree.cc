@@ -233,6 +233,98 @@ const RegionLabel* PatchOctree::find(const RayPoint& q) const {
   return nullptr;
 }
 
+// The cells that a box meets, until two of them differ or one does not tell.
+class PatchOctree::BoxQuestion {
+ public:
+  BoxQuestion(const PatchOctree& tree, const Box3d& box)
+      : tree_(tree),
+        box_(box),
+        first_(tree.frame_->place_of({box.lo[0], box.lo[1], box.lo[2]})),
+        last_(tree.frame_->place_of({box.hi[0], box.hi[1], box.hi[2]})) {}
+
+  // Places of points are monotone: those of the box lie between those of its corners.
+  std::optional<Value3> answer() {
+    const OctreeFrame& frame = *tree_.frame_;
+    const Vec3d& o = frame.origin;
+    const Box3d root{{o.x, o.y, o.z}, {o.x + frame.size, o.y + frame.size, o.z + frame.size}};
+    if (!is_inside(box_, root) || !visit(0, {}, OctreeFrame::kIndexBits)) return std::nullopt;
+    if (has_[0] && has_[1]) return Value3::kMixed;
+    return to_value(has_[1]);
+  }
+
+ private:
+  using Place = std::array<std::uint32_t, 3>;
+
+  bool is_met(const Place& at, std::uint32_t side) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (last_[k] < at[k] || at[k] + side - 1 < first_[k]) return false;
+    return true;
+  }
+
+  // False: the cells do not tell. The cell's side is 2^bits.
+  bool visit(std::uint32_t number, const Place& at, int bits) {
+    if (++num_visited_ > kMostVisited) return false;
+    const Node node = tree_.nodes_[number];
+    switch (node & kKindBits) {
+      case kClear: return add(tree_.labels_[node & kNumberBits]);
+      case kSlab: return add_slab(tree_.slabs_[node & kNumberBits], part_in(at, bits));
+      case kDivided: break;
+      default: return false;
+    }
+    const std::uint32_t half = std::uint32_t{1} << (bits - 1);
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      const Place child{at[0] + (i & 1) * half, at[1] + (i >> 1 & 1) * half,
+                        at[2] + (i >> 2 & 1) * half};
+      if (is_met(child, half) && !visit(node + i, child, bits - 1)) return false;
+      if (has_[0] && has_[1]) return true;
+    }
+    return true;
+  }
+
+  bool add(const RegionLabel& label) {
+    has_[label.winding != 0 ? 1 : 0] = true;
+    return true;
+  }
+  bool add(std::uint32_t label) { return label != SlabCell::kNoLabel && add(tree_.labels_[label]); }
+
+  // Contains the points of the box whose place is in the cell.
+  Box3d part_in(const Place& at, int bits) const {
+    const OctreeFrame& frame = *tree_.frame_;
+    const double unit = frame.size / (1 << OctreeFrame::kIndexBits), side = std::ldexp(unit, bits);
+    const Point3d lo{frame.origin.x + at[0] * unit, frame.origin.y + at[1] * unit,
+                     frame.origin.z + at[2] * unit};
+    Box3d cell;
+    for (std::size_t k = 0; k < 3; ++k) {
+      cell.lo[k] = lo[k] - 2 * frame.margin;
+      cell.hi[k] = lo[k] + side + 2 * frame.margin;
+    }
+    return common(box_, cell);
+  }
+
+  // normal·p is greatest and least in corners. A part on both sides of the slab has both labels.
+  bool add_slab(const SlabCell& slab, const Box3d& part) {
+    const unsigned far = farthest_corner(slab.normal);
+    const double most = dot(slab.normal, box_corner(part, far)),
+                 least = dot(slab.normal, box_corner(part, 7 - far));
+    if (most < slab.lo) return add(slab.below);
+    if (least > slab.hi) return add(slab.above);
+    return least < slab.lo && most > slab.hi && add(slab.below) && add(slab.above) && has_[0] &&
+           has_[1];
+  }
+
+  static constexpr int kMostVisited = 512;
+  const PatchOctree& tree_;
+  const Box3d& box_;
+  Place first_, last_;
+  int num_visited_ = 0;
+  std::array<bool, 2> has_{};  // points off the solid, points in it
+};
+
+std::optional<Value3> PatchOctree::value(const Box3d& box) const {
+  if (!frame_) return std::nullopt;
+  return BoxQuestion(*this, box).answer();
+}
+
 LookupSize PatchOctree::size() const {
   return {nodes_.size(), nodes_.size() * sizeof(Node) + labels_.size() * sizeof(RegionLabel) +
                              slabs_.size() * sizeof(SlabCell)};

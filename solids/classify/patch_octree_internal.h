@@ -10,6 +10,7 @@
 
 #include "solids/classify/cell_octree_internal.h"
 #include "solids/classify/patch_rays.h"
+#include "solids/classify/value3.h"
 
 namespace veritope::internal {
 
@@ -34,10 +35,14 @@ class PatchOctree {
 
   /// The label of the point; nothing if it lies in a slab, or in a cell without one.
   const RegionLabel* find(const RayPoint& q) const;
+  /// The value of all points of a box, divided as the nets, or mixed if it has points of both values; nothing if the
+  /// cells do not tell. REQUIRES a box that is not empty.
+  std::optional<Value3> value(const Box3d& box) const;
   LookupSize size() const;
 
  private:
   class Builder;
+  class BoxQuestion;
   using Node = std::uint32_t;  // see kinds in the .cc file
 
   std::optional<OctreeFrame> frame_;  // nothing: no cells

@@ -63,6 +63,8 @@ def command_lines():
     yield ["boolean", "A | B", f"A={models[0]}", "B=examples/self_crossing.off", "-o", "x.json"]
     yield ["classify", "e.json", "examples/sound_part.stl"]
     yield ["certify", "e.json"]
+    yield ["render", "e.json", "-o", "e.png", "--size", "64,64", "--grid", "25"]
+    yield ["render", "examples/self_crossing.off", "-o", "e.png"]
     yield ["cover", cube, "-o", "o.vtu"]
     yield ["cover", cube, "--sweep", "1"]
     for page in ([], ["M3"], ["side-open"], ["undecided"], ["face"]):

@@ -35,10 +35,13 @@ TriangleMesh sphere() {
   for (std::uint32_t r = 1; r < kRings; ++r)
     for (std::uint32_t t = 0; t < kTurns; ++t) {
       const double polar = pi * r / kRings, turn = 2 * pi * t / kTurns;
-      out.positions.push_back({std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar)});
+      out.positions.push_back(
+          {std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar)});
     }
   out.positions.push_back({0, 0, -1});
-  const auto at = [](std::uint32_t r, std::uint32_t t) { return 1 + (r - 1) * kTurns + t % kTurns; };
+  const auto at = [](std::uint32_t r, std::uint32_t t) {
+    return 1 + (r - 1) * kTurns + t % kTurns;
+  };
   const auto last = static_cast<std::uint32_t>(out.positions.size() - 1);
   for (std::uint32_t t = 0; t < kTurns; ++t) {
     out.faces.push_back({0, at(1, t), at(1, t + 1)});
@@ -93,8 +96,10 @@ TEST(DefectScene, ShowsCrossingsOfATinyBody) {
 TEST(DefectScene, ShowsASelfTouchingVertex) {
   TriangleMesh mesh = sphere();
   const auto n = static_cast<std::uint32_t>(mesh.positions.size());
-  for (const auto& [x, y] : {std::array{1, 0}, {-1, 1}, {-1, -1}}) mesh.positions.push_back({x / 1e4, y / 1e4, 1.001});
-  for (const auto& [a, b, c] : {std::array{0u, n + 1, n}, {0u, n + 2, n + 1}, {0u, n, n + 2}, {n, n + 1, n + 2}})
+  for (const auto& [x, y] : {std::array{1, 0}, {-1, 1}, {-1, -1}})
+    mesh.positions.push_back({x / 1e4, y / 1e4, 1.001});
+  for (const auto& [a, b, c] :
+       {std::array{0u, n + 1, n}, {0u, n + 2, n + 1}, {0u, n, n + 2}, {n, n + 1, n + 2}})
     mesh.faces.push_back({a, b, c});
   expect_visible(mesh, MeshRule::kM6, "a self-touching vertex");
 }
@@ -102,18 +107,22 @@ TEST(DefectScene, ShowsASelfTouchingVertex) {
 TEST(DefectScene, ShowsTheSmallestModelOfEveryRule) {
   for (std::size_t i = 0; i < kNumMeshRules; ++i) {
     const std::string name = "m" + std::to_string(i + 1) + "_smallest.off";
-    const ModelFile file = read_model_file(test::source_dir() + "/tests/models/" + name, {}).value();
+    const ModelFile file =
+        read_model_file(test::source_dir() + "/tests/models/" + name, {}).value();
     expect_visible(std::get<MeshFile>(file).mesh, rule_at(i), name.c_str());
   }
 }
 
 TEST(DefectScene, ShowsWhatIsWrongWithPatches) {
-  for (const auto& [name, rule] :
-       {std::pair{"side_open_smallest.itd", MeshRule::kM3}, {"side_open_crack.itd", MeshRule::kM3},
-        {"side_overused_smallest.itd", MeshRule::kM4}, {"side_direction_smallest.itd", MeshRule::kM5},
-        {"patches_crossing_smallest.itd", MeshRule::kM7}, {"patches_touching_smallest.itd", MeshRule::kM7},
-        {"shell_turned_smallest.itd", MeshRule::kM9}, {"patch_repeated_smallest.itd", MeshRule::kM2},
-        {"singular_line_smallest.itd", MeshRule::kM2}}) {
+  for (const auto& [name, rule] : {std::pair{"side_open_smallest.itd", MeshRule::kM3},
+                                   {"side_open_crack.itd", MeshRule::kM3},
+                                   {"side_overused_smallest.itd", MeshRule::kM4},
+                                   {"side_direction_smallest.itd", MeshRule::kM5},
+                                   {"patches_crossing_smallest.itd", MeshRule::kM7},
+                                   {"patches_touching_smallest.itd", MeshRule::kM7},
+                                   {"shell_turned_smallest.itd", MeshRule::kM9},
+                                   {"patch_repeated_smallest.itd", MeshRule::kM2},
+                                   {"singular_line_smallest.itd", MeshRule::kM2}}) {
     const ModelFile file =
         read_model_file(test::source_dir() + "/tests/models/patches/" + name, {}).value();
     const Certified found = certify(file).value();
@@ -122,7 +131,8 @@ TEST(DefectScene, ShowsWhatIsWrongWithPatches) {
     std::vector<EntityPart> sides;
     for (const OpenSideFacts& side : facts.open_sides) sides.push_back(side.part);
     const Scene scene =
-        defect_scene(std::get<SplineFile>(file).model, found.findings, sides, facts.open.sides).value();
+        defect_scene(std::get<SplineFile>(file).model, found.findings, sides, facts.open.sides)
+            .value();
     EXPECT_GE(scene.lines.size(), facts.open_sides.size()) << name;
     EXPECT_FALSE(scene.legend.empty()) << name;
     EXPECT_GE(count_pixels(scene, colour_of(rule)), kSquareOf12) << name;

@@ -82,7 +82,8 @@ TEST(SolidMarks, OfLinesThatAreTooShortForBinary32AreOctahedra) {
       std::set<std::array<float, 3>> corners;
       for (const std::uint32_t i : triangle) {
         const Point3d& p = surfaces[1].points[i];
-        corners.insert({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+        corners.insert(
+            {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
       }
       EXPECT_EQ(corners.size(), 3u) << length;
     }

@@ -275,6 +275,47 @@ TEST(PatchClassifier, KnowsTheValuesOfBoxes) {
   for (const int n : counts) EXPECT_GT(n, 20);
 }
 
+// Whether all points of a box are off the unit ball, or in its interior.
+Value3 value_of_ball(const Box3d& box) {
+  Rational least, most;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rational a = Rational::from_double(box.lo[k]), b = Rational::from_double(box.hi[k]),
+                   a2 = a * a, b2 = b * b;
+    most += a2 < b2 ? b2 : a2;
+    if (b < Rational(0) || Rational(0) < a) least += a2 < b2 ? a2 : b2;
+  }
+  if (most < Rational(1)) return Value3::kOne;
+  return Rational(1) < least ? Value3::kZero : Value3::kMixed;
+}
+
+// Small boxes at all distances from the surface, most of which cells of the look-up decide; some lie beyond all cells.
+TEST(PatchClassifier, ValuesOfBoxesAreExactAndSeldomMixedForNothing) {
+  const Model model(patch_shapes::octant_sphere());
+  Random random(kSeed + 1);
+  int in_vain = 0, counts[3] = {0, 0, 0};
+  for (int i = 0; i < 4000; ++i) {
+    const double size = std::ldexp(1 + random.unit(), -static_cast<int>(random.below(14)));
+    const double far =
+        1 + (random.unit() - 0.5) * std::ldexp(4.0, -static_cast<int>(random.below(12)));
+    Point3d middle{random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5};
+    const double length =
+        std::sqrt(middle[0] * middle[0] + middle[1] * middle[1] + middle[2] * middle[2]);
+    Box3d box;
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.lo[k] = middle[k] / length * far - size * random.unit();
+      box.hi[k] = middle[k] / length * far + size * random.unit();
+    }
+    const Value3 want = value_of_ball(box), got = model.classifier.value(box);
+    ++counts[static_cast<int>(want)];
+    if (got == Value3::kMixed && want != got)
+      ++in_vain;
+    else
+      EXPECT_EQ(got, want) << "seed " << kSeed + 1 << " box " << i;
+  }
+  for (const int n : counts) EXPECT_GT(n, 400);
+  EXPECT_LT(in_vain, 200);
+}
+
 TEST(PatchClassifier, CountsSurfacesThatFaceInward) {
   Patches patches = patch_shapes::sphere();
   for (Patch& p : patches) p = reversed(p);

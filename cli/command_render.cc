@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// veritope render.
+#include <memory>
+#include <utility>
+
+#include "cli/box_option.h"
+#include "cli/checker_process.h"
+#include "cli/commands.h"
+#include "cli/expression_operands.h"
+#include "cli/output_plan.h"
+#include "io/base/exact_number.h"
+#include "io/base/scan.h"
+#include "render/cast_solid.h"
+#include "render/png.h"
+#include "report/render_report.h"
+#include "report/report_text.h"
+#include "report/text_style.h"
+#include "robust/base/stopwatch.h"
+
+namespace veritope::cli {
+namespace {
+
+struct RenderOptions {
+  InputOptions input;
+  std::optional<std::string> output, json;
+  std::array<std::size_t, 2> size{1200, 900};
+  Point3d view = PictureOptions().view;
+  std::uint32_t grid = 0;  // points along each axis; 0: a shaded picture
+  std::optional<ExactBox<3>> bounds;
+  bool no_check = false;
+  int jobs = default_jobs();
+};
+
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> out;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    out.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return out;
+}
+
+std::string take_size(const std::string& text, std::array<std::size_t, 2>& size) {
+  const std::string wrong = "needs two sides W,H from 64 to 8192, not " + text;
+  const std::vector<std::string> words = split_at_commas(text);
+  if (words.size() != 2) return wrong;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (words[i].empty() || words[i].size() > 4 ||
+        words[i].find_first_not_of("0123456789") != std::string::npos)
+      return wrong;
+    size[i] = std::stoul(words[i]);
+    if (size[i] < 64 || size[i] > 8192) return wrong;
+  }
+  return "";
+}
+
+std::string take_view(const std::string& text, Point3d& view) {
+  const std::vector<std::string> words = split_at_commas(text);
+  bool is_zero = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Rational value;
+    if (words.size() != 3 || read_exact_number(words[k], {}, value) != DecimalFault::kNone)
+      return "needs three numbers X,Y,Z, not " + text;
+    view[k] = nearest_double(value);
+    if (view[k] - view[k] != 0) return "has '" + words[k] + "', which is beyond binary64";
+    if (view[k] != 0) is_zero = false;
+  }
+  return is_zero ? "is no direction: " + text : "";
+}
+
+void declare(OptionSet& set, RenderOptions& o) {
+  declare_file(set, "MODEL", o.input, "a mesh, splines that bound a solid, or an expression");
+  set.output("-o,--output", o.output, "write the picture: .png");
+  set.option(
+      "--size", "W,H", [&o](const std::string& t) { return take_size(t, o.size); },
+      "pixels (1200,900)");
+  set.option(
+      "--view", "X,Y,Z", [&o](const std::string& t) { return take_view(t, o.view); },
+      "the direction of view (-5,8,-5)");
+  set.number("--grid", o.grid, {1, kMostGridSide},
+             "show the points of an N x N x N grid that are in the\nsolid, and count them");
+  set.option(
+      "--bounds", "BOX", [&o](const std::string& t) { return take_box(t, o.bounds); },
+      "X0,Y0,Z0,X1,Y1,Z1: show, or ask, this box only\n(MODEL's box)");
+  declare_json(set, o.json, "write the counts");
+  declare_jobs(set, o.jobs);
+  set.flag("--no-check", o.no_check, "do not run veritope-check");
+  declare_reading(set, o.input.reading);
+}
+
+bool ends_in_png(const std::string& path) {
+  return path.size() > 4 && is_word(path.substr(path.size() - 4), ".png");
+}
+
+std::string contradiction(const RenderOptions& o) {
+  if (!o.output) return "-o F.png is required, the file of the picture";
+  if (!is_stream(*o.output) && !ends_in_png(*o.output))
+    return "the name " + *o.output + " does not end in .png";
+  if (o.output == "-" && o.json == "-")
+    return "the picture and --json would both write standard output";
+  if (needs_copy(o.input.files[0])) return "MODEL is a file, not " + o.input.files[0];
+  return "";
+}
+
+class RenderRun {
+ public:
+  RenderRun(const RenderOptions& options, StandardOutput& out)
+      : options_(options), out_(out), progress_(true) {}
+
+  ExitCode run() {
+    if (const Status status = check_outputs(); !status) return fail(status.error());
+    std::string checker;
+    if (!options_.no_check) {
+      const Result<std::string> found = find_checker();
+      if (!found) return complain(found.error().message), kExitUsage;
+      checker = *found;
+    }
+    CertifySettings settings;
+    settings.reading = options_.input.reading;
+    settings.reading.jobs = options_.jobs;
+    settings.certify.jobs = static_cast<unsigned>(options_.jobs);
+    settings.checker = checker;
+    ExpressionOperands operands(settings, progress_);
+    const std::optional<ExpressionOperand> model = operands.load(path(), "");
+    progress_.clear();
+    if (!model) return operands.exit();
+    report_.path = path();
+    report_.sha256 = model->sha256;
+    report_.seconds_read = watch_.lap();
+    progress_.phase(shown_path(path()), "building the look-up");
+    report_.bounds =
+        options_.bounds ? *options_.bounds : operands.box_of(model->formula).value_or(model->box);
+    std::vector<std::shared_ptr<const Operand>> solids;
+    for (ExpressionSolid& solid : operands.take_solids()) solids.push_back(std::move(solid.operand));
+    const ExpressionClassifier classifier(model->formula, std::move(solids));
+    report_.seconds_build = watch_.lap();
+    return draw(ExpressionProbe(classifier));
+  }
+
+ private:
+  const std::string& path() const { return options_.input.files[0]; }
+
+  Status check_outputs() const {
+    const Result<OutputPlan> plan = plan_outputs({path()}, std::nullopt, options_.json);
+    if (!plan) return plan.error();
+    if (*options_.output != "-")
+      if (const Status status =
+              check_output("--output", *options_.output, {path()}, *plan, options_.json);
+          !status)
+        return status;
+    return try_outputs(*plan, {options_.json, options_.output});
+  }
+
+  ExitCode draw(const SolidProbe& solid) {
+    PictureOptions look;
+    look.width = options_.size[0], look.height = options_.size[1];
+    look.view = options_.view;
+    look.jobs = static_cast<unsigned>(options_.jobs);
+    const Result<Image> image = options_.grid != 0 ? draw_grid(solid, look) : cast(solid, look);
+    progress_.clear();
+    if (!image) return refuse(image.error());
+    report_.picture = *options_.output;
+    report_.width = image->width, report_.height = image->height;
+    if (const Status status = write_output(*options_.output, png_bytes(*image), out_); !status)
+      return fail(status.error());
+    report_.seconds_draw = watch_.lap();
+    return say();
+  }
+
+  Result<Image> cast(const SolidProbe& solid, const PictureOptions& look) {
+    progress_.phase(shown_path(path()), "casting rays");
+    Box3d bounds;
+    for (std::size_t k = 0; k < 3; ++k) {
+      bounds.lo[k] = round_down(report_.bounds[k].lo);
+      bounds.hi[k] = round_up(report_.bounds[k].hi);
+    }
+    return cast_solid(solid, bounds, look, &progress_.work());
+  }
+
+  Result<Image> draw_grid(const SolidProbe& solid, const PictureOptions& look) {
+    progress_.phase(shown_path(path()), "classifying");
+    const PointGrid grid =
+        classify_grid(solid, report_.bounds, options_.grid, look.jobs, &progress_.work());
+    RenderReport::Grid& counts = report_.grid.emplace();
+    counts.n = grid.n();
+    counts.in = grid.count(GridMark::kIn);
+    counts.on = grid.count(GridMark::kOn);
+    counts.out = grid.count(GridMark::kNone);
+    counts.undecided = grid.count(GridMark::kUndecided);
+    progress_.phase(shown_path(path()), "drawing");
+    return draw_point_grid(grid, look, &progress_.work());
+  }
+
+  ExitCode say() {
+    const auto& grid = report_.grid;
+    std::string text = "wrote  " + unbroken(harmless(*options_.output)) + "  " +
+                       std::to_string(report_.width) + " x " + std::to_string(report_.height);
+    if (grid)
+      text += ", " + counted(std::uint64_t{grid->n} * grid->n * grid->n, "point", "points") + ": " +
+              std::to_string(grid->in) + " in, " + std::to_string(grid->on) + " on, " +
+              std::to_string(grid->out) + " out";
+    if (grid && grid->undecided != 0) text += ", " + std::to_string(grid->undecided) + " undecided";
+    if (options_.json != "-" && options_.output != "-")
+      out_.write(fold(text + "\n", verdict_width()));
+    const ExitCode exit = grid && grid->undecided != 0 ? kExitUndecided : kExitValid;
+    if (!options_.json) return exit;
+    const Status status = write_output(*options_.json, render_json(report_), out_);
+    return status || *options_.json == "-" ? exit : fail(status.error());
+  }
+
+  ExitCode refuse(const Error& error) const {
+    Error placed = error;
+    placed.place.file = path();
+    return fail(placed);
+  }
+
+  const RenderOptions& options_;
+  StandardOutput& out_;
+  Progress progress_;
+  Stopwatch watch_;
+  RenderReport report_;
+};
+
+}  // namespace
+
+RunCommand declare_render(OptionSet& set) {
+  const auto o = std::make_shared<RenderOptions>();
+  declare(set, *o);
+  set.rule([o] { return contradiction(*o); });
+  return [o](StandardOutput& out) { return RenderRun(*o, out).run(); };
+}
+
+}  // namespace veritope::cli

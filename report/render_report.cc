@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "report/render_report.h"
+
+#include "report/json_text.h"
+#include "verify/certify/certify.h"
+
+namespace veritope::report {
+namespace {
+
+Json grid_json(const RenderReport::Grid& grid) {
+  return {{"n", grid.n},
+          {"in", grid.in},
+          {"on", grid.on},
+          {"out", grid.out},
+          {"undecided", grid.undecided}};
+}
+
+}  // namespace
+
+std::string render_json(const RenderReport& report) {
+  Json out, bounds = Json::array();
+  for (std::size_t i = 0; i < 6; ++i)
+    bounds.push_back((i < 3 ? report.bounds[i].lo : report.bounds[i - 3].hi).to_string());
+  out["schema"] = "veritope-render-1";
+  out["tool"] = tool_name();
+  out["model"] = {{"path", report.path}, {"sha256", report.sha256}};
+  out["picture"] = {{"path", report.picture}, {"width", report.width}, {"height", report.height}};
+  out["bounds"] = bounds;
+  out["grid"] = report.grid ? grid_json(*report.grid) : Json(nullptr);
+  out["seconds"] = {{"read", seconds_json(report.seconds_read)},
+                    {"build", seconds_json(report.seconds_build)},
+                    {"draw", seconds_json(report.seconds_draw)}};
+  return dump(out) + "\n";
+}
+
+}  // namespace veritope::report

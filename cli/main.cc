@@ -27,6 +27,8 @@ constexpr char kTitle[] = "veritope: solid models that come with proofs";
 constexpr char kFooter[] =
     "Exit: 0 valid or done, 1 invalid, 2 wrong usage, 3 undecided, 4 unreadable, over\n"
     "a limit or cannot write, 5 our bug; several files: the first of 5, 1, 4, 3, 0";
+constexpr char kListFooter[] =
+    "Exit: 0 valid or done, 1 invalid, 2 usage, 3 undecided, 4 unreadable, 5 our bug";
 
 // Prevents a file that is opened later from getting the number of a standard stream that was closed. Writing to that
 // stream then fails, and is not lost silently.
@@ -66,6 +68,7 @@ int main_of(int argc, const char* const* argv) {
   std::vector<RunCommand> runs;
   for (const Command& command : commands())
     runs.push_back(command.declare(line.add_command(command.name, command.summary)));
+  line.set_list_footer(kListFooter);
   const ParsedLine parsed = line.parse(argc, argv);
   if (!parsed.error.empty()) {
     const bool is_known =

@@ -189,6 +189,8 @@ CommandLine::CommandLine(const std::string& title, const std::string& version,
   app_->get_formatter()->column_width(kHelpColumn);
 }
 
+void CommandLine::set_list_footer(const std::string& footer) { app_->footer(footer); }
+
 CommandLine::~CommandLine() = default;
 
 OptionSet& CommandLine::add_command(const std::string& name, const std::string& summary) {

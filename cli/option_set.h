@@ -110,6 +110,8 @@ class CommandLine {
   /// @param version  what --version prints
   /// @param footer   the last lines of the help of the program
   CommandLine(const std::string& title, const std::string& version, const std::string& footer);
+  /// Other last lines for the list of commands. To be called after all of them were added.
+  void set_list_footer(const std::string& footer);
   ~CommandLine();
 
   /// The set lives as long as this object.

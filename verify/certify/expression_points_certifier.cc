@@ -97,6 +97,10 @@ class CertifiedSolid {
       return std::nullopt;
     const std::optional<TangentCone> cone = solid_.operand->tangent_cone(p);
     if (!cone || !cone->is_flat) return std::nullopt;
+    // Checkers take no wedge at a collapsed side.
+    if (std::any_of(cone->sheets.begin(), cone->sheets.end(),
+                    [](const ConeSheet& sheet) { return sheet.pole.has_value(); }))
+      return std::nullopt;
     const std::uint64_t corners = parts_.mesh != nullptr ? 3 : 4;  // of a patch, at most
     std::uint64_t out = 0;
     for (const Sector& s : cone->sectors) out += corners - s.inward.size();

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bench/arguments.h"
+#include "bench/random_expressions.h"
 #include "bench/stopwatch.h"
 #include "models/patch_shapes.h"
 #include "models/round_parts.h"
@@ -25,10 +26,7 @@
 namespace veritope::bench {
 namespace {
 
-using patch_shapes::Patches;
 using Signs = std::array<int, 3>;
-
-Rational ratio(std::int64_t p, std::int64_t q) { return Rational(p) / Rational(q); }
 
 // ---- surfaces, each the zeros of a polynomial: a point's side is its sign
 
@@ -155,54 +153,6 @@ Solid random_solid(Random& random) {
                                                {0, 0, height / radius / Rational(2)}),
                            radius, {0, 0, height_of(out.bottom)});
   return out;
-}
-
-// Other patches of one solid.
-Patches in_another_way(const Patches& patches, Random& random) {
-  switch (random.below(6)) {
-    case 0: return subdivided(patches);
-    case 1: return elevated(patches, 1);
-    case 2: return relabelled(patches, random);
-    case 3: return relabelled(subdivided(patches), random);
-    case 4: return cut_along_belts(patches, random);
-    default: return patches;
-  }
-}
-
-AffineMap random_map(Random& random) {
-  const auto entry = [&] {
-    return ratio(static_cast<std::int64_t>(random.below(9)) - 4,
-                 1 + static_cast<std::int64_t>(random.below(5)));
-  };
-  for (;;) {
-    AffineMap out{3, 3, {}, {}};
-    for (int i = 0; i < 9; ++i) out.linear.push_back(entry());
-    for (int i = 0; i < 3; ++i) out.translation.push_back(entry());
-    const auto& m = out.linear;
-    const Rational det = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
-                         m[2] * (m[3] * m[7] - m[4] * m[6]);
-    if (det.sign() != 0) return out;
-  }
-}
-ExactPoint image_of(const AffineMap& map, const ExactPoint& p) {
-  ExactPoint out;
-  for (std::size_t r = 0; r < 3; ++r) {
-    out[r] = map.translation[r];
-    for (std::size_t c = 0; c < 3; ++c) out[r] += map.linear[3 * r + c] * p[c];
-  }
-  return out;
-}
-
-Formula random_formula(Random& random, std::uint64_t num_solids, std::uint64_t leaves) {
-  if (leaves == 1) return Formula::variable(static_cast<std::uint32_t>(random.below(num_solids)));
-  const std::uint64_t left = 1 + random.below(leaves - 1);
-  const Formula a = random_formula(random, num_solids, left),
-                b = random_formula(random, num_solids, leaves - left);
-  switch (random.below(3)) {
-    case 0: return Formula::any_of({a, b});
-    case 1: return Formula::all_of({a, b});
-    default: return Formula::all_of({a, b.negated()});
-  }
 }
 
 // ---- points

@@ -182,8 +182,8 @@ class ClassifyRun {
                                : options_.certificate
                                    ? without_certificate(operands.no_certificate())
                                    : kExitValid;
-    return first_of(first_of(certified, report_.undecided.empty() ? kExitValid : kExitUndecided),
-                    write_json());
+    const ExitCode decided = report_.undecided.empty() ? kExitValid : say_undecided();
+    return first_of(first_of(certified, decided), write_json());
   }
 
   ExitCode run_plane() {

@@ -122,6 +122,34 @@ class Boolean(Expressions):
         self.assertEqual(self.classify("e.json", ".5 .5 .75", ".5 .5 .25", ".5 .5 .5", "1 .5 .75", "1 .5 .25", "1 1 1", "1/3 1/3 1"),
                          ["in", "out", "on", "on", "out", "on", "on"])
 
+    def test_curved_solids_abut_or_touch(self):
+        """Three cylinders of radius 1: the second one stands on the first one, the third one touches both along a line."""
+        def cylinder(x, low, high):
+            entities = []
+            for quarter in range(4):
+                circle = [(1, 0, 1), (1, 1, 1), (0, 2, 2)]                   # x, y and the weight
+                for _ in range(quarter):
+                    circle = [(-b, a, w) for a, b, w in circle]
+                rim = {z: [(a + x * w, b, w * z, w) for a, b, w in circle] for z in (low, high)}
+                axis = {z: [(x * w, 0, w * z, w) for _, _, w in circle] for z in (low, high)}
+                for rows in zip(rim[low], rim[high]), zip(rim[high], axis[high]), zip(axis[low], rim[low]):
+                    entities.append({"kind": "surface", "group": None, "attributes": [], "shape": {
+                        "degrees": [2, 1], "periodic": [False, False], "knots": [["0"] * 3 + ["1"] * 3, ["0", "0", "1", "1"]], "rational": True,
+                        "components": 4, "points": [[str(c) for c in p] for row in rows for p in row]}})
+            return json.dumps({"format": "veritope-spline-1", "groups": [], "entities": entities})
+        for name, (x, low, high) in (("low", (0, 0, 2)), ("high", (0, 2, 4)), ("beside", (2, 0, 4))):
+            self.file(f"{name}.vjson", cylinder(x, low, high))
+        points = "0 0 2", "3/5 4/5 2", "1/4 0 2", "0 1 1", "2 0 2"
+        for expression, words in ("L | H", "in on in on out"), ("L & H", "out out out out out"), ("L - H", "on on on on out"):
+            self.boolean(expression, "L=low.vjson", "H=high.vjson", "-o", "e.json")
+            self.assertEqual(" ".join(self.classify("e.json", *points)), words, expression)
+        self.boolean("L & B", "L=low.vjson", "B=beside.vjson", "-o", "e.json")
+        done = run("classify", "e.json", "-", "--json", "j.json", cwd=self.folder, input="0 0 1\n1 0 1\n")
+        self.assertEqual((done.returncode, done.stdout), (3, "0 0 1 out 0 -\n1 0 1 undecided - -\n"))
+        self.assertEqual(json.loads((self.folder / "j.json").read_text())["undecided"],
+                         [{"line": 2, "reason": "face 0 of low.vjson and face 3 of beside.vjson touch there"}])
+        self.assertIn("1 of 2 points are undecided; line 2: face 0 of low.vjson and", " ".join(done.stderr.split()))
+
     def test_operands_are_decided_first(self):
         self.assertIn("operand B: INVALID open.off", self.boolean("A | B", "A=a.off", "B=open.off", "-o", "x.json", status=1))
         self.assertIn("M3", self.boolean("A | B", "A=a.off", "B=open.off", "-o", "x.json", status=1))

@@ -13,14 +13,6 @@ namespace {
 
 using internal::Decision;
 
-// Both halves of a patch of four sides; the patch itself.
-std::vector<Patch::Triangle> triangles_of(const Patch& patch) {
-  if (patch.is_triangle()) return {patch.triangle()};
-  const Rational o(1), z;
-  return {on_triangle<Rational>(patch.tensor(), {{{z, z}, {o, z}, {o, o}}}),
-          on_triangle<Rational>(patch.tensor(), {{{z, z}, {o, o}, {z, o}}})};
-}
-
 BezierTriangle<Rational> height_over(const BaseTriangle& base, const ExactPoint& normal,
                                      const Patch::Triangle& map) {
   const Rational offset = internal::dot(normal, base[0]);
@@ -39,6 +31,13 @@ BezierTriangle<Rational> negated(BezierTriangle<Rational> f) {
 }
 
 }  // namespace
+
+std::vector<Patch::Triangle> triangles_of(const Patch& patch) {
+  if (patch.is_triangle()) return {patch.triangle()};
+  const Rational o(1), z;
+  return {on_triangle<Rational>(patch.tensor(), {{{z, z}, {o, z}, {o, o}}}),
+          on_triangle<Rational>(patch.tensor(), {{{z, z}, {o, o}, {z, o}}})};
+}
 
 BaseSide base_side(const Patch& patch) {
   if (patch.is_flat_triangle()) return BaseSide::kZero;

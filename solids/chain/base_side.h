@@ -3,6 +3,7 @@
 // free-form cell (section 3.2, figure 9).
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "solids/patches/patch.h"
 
@@ -19,6 +20,9 @@ enum class BaseSide : std::uint8_t {
 /// kPlus if it is nowhere behind either of their planes, and so on; it is kMixed if it is on both sides of one of them,
 /// or before one and behind the other.
 BaseSide base_side(const Patch& patch);
+
+/// The patch itself, or the halves of its domain over both base triangles as Bezier triangles, exactly.
+std::vector<Patch::Triangle> triangles_of(const Patch& patch);
 
 /// Numbers of patches.
 struct BaseSideCounts {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "robust/base/fp_guard.h"
-#include "solids/chain/literal_cell_internal.h"
+#include "solids/chain/literal_conditions_internal.h"
 #include "solids/chain/literal_hypotheses_internal.h"
 #include "solids/chain/local_cones_internal.h"
 #include "solids/pieces/box_hierarchy.h"
@@ -69,6 +69,14 @@ class LiteralChain::Body {
     return out;
   }
 
+  LiteralCells cells() const {
+    LiteralCells out;
+    for (const internal::LiteralFacet& facet : facets_.facets())
+      out.without_wedge += facet.has_wedge ? 0 : 1;
+    internal::judge_cells(complex_, cells_, out);
+    return out;
+  }
+
   LiteralValue value(const ExactPoint& q, const ExactPoint& origin) const {
     std::vector<LocalCone> cones;
     const Box3d at = box_around(q), from = box_around(origin);
@@ -102,6 +110,10 @@ LiteralChain::LiteralChain(LiteralChain&&) noexcept = default;
 LiteralChain::~LiteralChain() = default;
 
 LiteralHypotheses LiteralChain::hypotheses() const { return body_->hypotheses(); }
+LiteralCells LiteralChain::cells() const {
+  const ScopedDefaultFp nearest;
+  return body_->cells();
+}
 LiteralValue LiteralChain::value(const ExactPoint& point, const ExactPoint& origin) const {
   const ScopedDefaultFp nearest;
   return body_->value(point, origin);

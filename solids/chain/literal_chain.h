@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "solids/chain/literal_conditions.h"
 #include "solids/chain/literal_hypotheses.h"
 #include "solids/classify/point_answer.h"
 #include "solids/patches/patch_complex.h"
@@ -29,6 +30,9 @@ class LiteralChain {
 
   /// Whether what the paper assumes is true of the model.
   LiteralHypotheses hypotheses() const;
+
+  /// The free-form cells, and whether definition 1 accepts them. @cost milliseconds for each curved patch
+  LiteralCells cells() const;
 
   /// f, definition 3: the sum of the coefficients of the closed cells that hold the point, simplices from the origin
   /// and parts of wedges. And f*, definition 6, if all cells are cones with flat sides near the point. Curved walls are

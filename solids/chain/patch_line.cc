@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "solids/chain/integer_net_internal.h"
 #include "solids/chain/literal_polynomials_internal.h"
 #include "solids/chain/patch_line_internal.h"
 
@@ -65,18 +66,15 @@ bool misses_half_line(const Net& net) {
 GridPoint doubled(const GridPoint& a) { return {2 * a[0], 2 * a[1]}; }
 GridPoint sum_of(const GridPoint& a, const GridPoint& b) { return {a[0] + b[0], a[1] + b[1]}; }
 
-// Four pieces, in the order of split_in_four, with control points times 2^degree.
-std::vector<LinePiece> quarters_of(const LinePiece& p) {
-  using Arguments = std::array<Barycentric<Integer>, 3>;
-  const Barycentric<Integer> c0{2, 0, 0}, c1{0, 2, 0}, c2{0, 0, 2}, m0{0, 1, 1}, m1{1, 0, 1},
-      m2{1, 1, 0};
+std::vector<LinePiece> parts_of(const LinePiece& p) {
   const GridPoint g0 = doubled(p.corners[0]), g1 = doubled(p.corners[1]),
                   g2 = doubled(p.corners[2]), h0 = sum_of(p.corners[1], p.corners[2]),
                   h1 = sum_of(p.corners[0], p.corners[2]), h2 = sum_of(p.corners[0], p.corners[1]);
-  return {{restricted<Integer>(p.net, Arguments{c0, m2, m1}), {g0, h2, h1}},
-          {restricted<Integer>(p.net, Arguments{m2, c1, m0}), {h2, g1, h0}},
-          {restricted<Integer>(p.net, Arguments{m1, m0, c2}), {h1, h0, g2}},
-          {restricted<Integer>(p.net, Arguments{m0, m1, m2}), {h0, h1, h2}}};
+  auto parts = quarters_of(p.net);
+  return {{std::move(parts[0]), {g0, h2, h1}},
+          {std::move(parts[1]), {h2, g1, h0}},
+          {std::move(parts[2]), {h1, h0, g2}},
+          {std::move(parts[3]), {h0, h1, h2}}};
 }
 
 // The control polygon of a side, from corner s to corner s + 1.
@@ -154,7 +152,7 @@ Meets search(Net net) {
       if (is_met(pieces, cluster)) return Meets::kSome;
     std::vector<LinePiece> next;
     for (const LinePiece& p : pieces)
-      for (LinePiece& q : quarters_of(p)) next.push_back(std::move(q));
+      for (LinePiece& q : parts_of(p)) next.push_back(std::move(q));
     pieces = std::move(next);
   }
   return Meets::kOpen;
@@ -177,15 +175,11 @@ PatchLine::PatchLine(const LiteralFacet& facet) : net_(facet.map->degree(), 4, f
   if (!facet.map->is_rational())
     weight = Polynomial(net_.degree(), 1, false, std::vector<Rational>(net_.count(), Rational(1)));
   const std::array<Polynomial, 4> forms{base[0], base[1], height_form(facet), std::move(weight)};
-  Integer scale(1);
-  for (const Polynomial& f : forms)
-    for (const Rational& c : f.coefficients()) scale = lcm(scale, c.denominator());
-  for (std::size_t k = 0; k < 4; ++k)
-    for (std::size_t i = 0; i < net_.count(); ++i) {
-      const Rational& c = forms[k].component(0)[i];
-      net_.component(static_cast<int>(k))[i] =
-          c.numerator() * divide_exactly(scale, c.denominator());
-    }
+  BezierTriangle<Rational> all(net_.degree(), 4, false);
+  for (int k = 0; k < 4; ++k)
+    std::copy(forms[static_cast<std::size_t>(k)].coefficients().begin(),
+              forms[static_cast<std::size_t>(k)].coefficients().end(), all.component(k).begin());
+  net_ = integer_net(all);
 }
 
 Meets PatchLine::half_line(const LiteralFacet& facet, const ExactPoint& q, bool is_upward) const {

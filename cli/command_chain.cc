@@ -123,17 +123,18 @@ class ChainRun {
     report_.origin = options_.origin.is_auto ? costs.best().origin : options_.origin.point;
     const CellCounts simplices = count_simplices(complex, report_.origin);
     report_.simplices = {simplices.plus, simplices.minus, simplices.zero, 0, 0};
-    BaseSideCounts sides;
-    for (const Patch& patch : complex.patches()) sides.add(base_side(patch));
+    const auto jobs = static_cast<unsigned>(options_.input.reading.jobs);
+    const BaseSideCounts sides = count_base_sides(complex.patches(), jobs);
+
     report_.free_form = {sides.plus, sides.minus, sides.zero, sides.mixed, sides.open};
     report_.is_normal =
         true;  // CHAIN-1: f is the winding number, which is 0 or 1 for a VALID model
     const LiteralChain chain(complex);
-    const LiteralHypotheses literal = chain.hypotheses();
+    const LiteralHypotheses literal = chain.hypotheses(jobs);
     report_.planes_share_lines = as_reported(literal.planes_share_lines);
     report_.curves_in_planes = as_reported(literal.curves_in_planes);
     report_.graphs = as_reported(literal.graphs);
-    fill(chain.cells());
+    fill(chain.cells(jobs));
     report_.origins = table_of(costs, report_.origin);
   }
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "robust/base/parallel.h"
 #include "solids/chain/exact_vector_internal.h"
 #include "solids/chain/free_form_cell.h"
 #include "solids/chain/literal_sign_internal.h"
@@ -68,6 +69,16 @@ void BaseSideCounts::add(BaseSide side) {
      : side == BaseSide::kZero  ? zero
      : side == BaseSide::kMixed ? mixed
                                 : open);
+}
+
+BaseSideCounts count_base_sides(std::span<const Patch> patches, unsigned jobs) {
+  std::vector<BaseSide> sides(patches.size());
+  parallel_for(patches.size(), 64, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) sides[i] = base_side(patches[i]);
+  });
+  BaseSideCounts out;
+  for (const BaseSide side : sides) out.add(side);
+  return out;
 }
 
 }  // namespace veritope

@@ -3,6 +3,7 @@
 // free-form cell (section 3.2, figure 9).
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "solids/patches/patch.h"
@@ -29,5 +30,6 @@ struct BaseSideCounts {
   std::uint64_t plus = 0, minus = 0, zero = 0, mixed = 0, open = 0;
   void add(BaseSide side);
 };
+BaseSideCounts count_base_sides(std::span<const Patch> patches, unsigned jobs);
 
 }  // namespace veritope

@@ -61,19 +61,19 @@ class LiteralChain::Body {
     hierarchy_ = BoxHierarchy(boxes);
   }
 
-  LiteralHypotheses hypotheses() const {
+  LiteralHypotheses hypotheses(unsigned jobs) const {
     LiteralHypotheses out;
     out.planes_share_lines = internal::planes_share_lines(complex_, facets_);
     out.curves_in_planes = internal::curves_in_planes(complex_, facets_);
-    internal::decide_graphs(complex_, facets_, out);
+    internal::decide_graphs(complex_, facets_, jobs, out);
     return out;
   }
 
-  LiteralCells cells() const {
+  LiteralCells cells(unsigned jobs) const {
     LiteralCells out;
     for (const internal::LiteralFacet& facet : facets_.facets())
       out.without_wedge += facet.has_wedge ? 0 : 1;
-    internal::judge_cells(complex_, cells_, out);
+    internal::judge_cells(complex_, cells_, jobs, out);
     return out;
   }
 
@@ -109,10 +109,10 @@ LiteralChain::LiteralChain(const PatchComplex& complex) {
 LiteralChain::LiteralChain(LiteralChain&&) noexcept = default;
 LiteralChain::~LiteralChain() = default;
 
-LiteralHypotheses LiteralChain::hypotheses() const { return body_->hypotheses(); }
-LiteralCells LiteralChain::cells() const {
+LiteralHypotheses LiteralChain::hypotheses(unsigned jobs) const { return body_->hypotheses(jobs); }
+LiteralCells LiteralChain::cells(unsigned jobs) const {
   const ScopedDefaultFp nearest;
-  return body_->cells();
+  return body_->cells(jobs);
 }
 LiteralValue LiteralChain::value(const ExactPoint& point, const ExactPoint& origin) const {
   const ScopedDefaultFp nearest;

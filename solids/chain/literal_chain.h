@@ -28,11 +28,12 @@ class LiteralChain {
   LiteralChain(LiteralChain&&) noexcept;
   ~LiteralChain();
 
-  /// Whether what the paper assumes is true of the model.
-  LiteralHypotheses hypotheses() const;
+  /// Whether what the paper assumes is true of the model. The answer does not depend on the number of threads.
+  LiteralHypotheses hypotheses(unsigned jobs = 1) const;
 
-  /// The free-form cells, and whether definition 1 accepts them. @cost milliseconds for each curved patch
-  LiteralCells cells() const;
+  /// The free-form cells, and whether definition 1 accepts them. @cost milliseconds for each curved patch of a low
+  /// degree, up to a second for rational patches of four sides
+  LiteralCells cells(unsigned jobs = 1) const;
 
   /// f, definition 3: the sum of the coefficients of the closed cells that hold the point, simplices from the origin
   /// and parts of wedges. And f*, definition 6, if all cells are cones with flat sides near the point. Curved walls are

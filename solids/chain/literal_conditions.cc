@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "robust/base/parallel.h"
 #include "solids/chain/literal_conditions_internal.h"
 #include "solids/chain/literal_polynomials_internal.h"
 #include "solids/chain/literal_regions_internal.h"
@@ -220,42 +221,64 @@ void add_answer(const PlaceAnswer& answer, const std::string& name, LiteralHypot
   ++(is_violated ? out.violations : out.undecided);
 }
 
-void judge(const PatchComplex& complex, const CellPart& part, LiteralCells& out) {
-  const LiteralFacet& facet = part.cell->facet();
-  const std::string name =
-      name_of(complex, facet) + (part.is_plus ? ", plus part" : ", minus part");
-  const PlaceAnswer connected = is_connected(part), vertices = has_vertices_on_patch(part);
-  add_answer(connected, name, out.connected);
-  add_answer(is_on_one_side(part), name, out.on_one_side);
-  add_answer(vertices, name, out.with_vertices_on_patch);
-  for (const auto& [answer, figure] : {std::pair(&connected, "1a"), std::pair(&vertices, "3a")})
+struct PartAnswers {
+  bool is_there = false;
+  PlaceAnswer connected, one_side, vertices;
+};
+struct CellAnswers {
+  bool is_open = false;              // on which sides there are parts
+  std::array<PartAnswers, 2> parts;  // minus, plus
+};
+
+CellAnswers judge(const LiteralCell& cell) {
+  const Polynomial h = height_form(cell.facet());
+  const Decision below = nowhere_negative(h).decision,
+                 above = nowhere_negative(negative(h)).decision;
+  CellAnswers out;
+  out.is_open = below == Decision::kOpen || above == Decision::kOpen;
+  out.parts[0].is_there = below == Decision::kViolated;
+  out.parts[1].is_there = above == Decision::kViolated;
+  for (std::size_t k = 0; !out.is_open && k < 2; ++k) {
+    PartAnswers& answers = out.parts[k];
+    if (!answers.is_there) continue;
+    const CellPart part{&cell, k == 1, !out.parts[1 - k].is_there};
+    answers.connected = is_connected(part);
+    answers.one_side = is_on_one_side(part);
+    answers.vertices = has_vertices_on_patch(part);
+  }
+  return out;
+}
+
+void add_part(const PatchComplex& complex, const LiteralFacet& facet, bool is_plus,
+              const PartAnswers& answers, LiteralCells& out) {
+  const std::string name = name_of(complex, facet) + (is_plus ? ", plus part" : ", minus part");
+  ++(is_plus ? out.plus : out.minus);
+  add_answer(answers.connected, name, out.connected);
+  add_answer(answers.one_side, name, out.on_one_side);
+  add_answer(answers.vertices, name, out.with_vertices_on_patch);
+  for (const auto& [answer, figure] :
+       {std::pair(&answers.connected, "1a"), std::pair(&answers.vertices, "3a")})
     if (answer->decision == Decision::kViolated)
-      out.refused.push_back(
-          {facet.patch, facet.half, part.is_plus, figure, name + ": " + answer->why});
+      out.refused.push_back({facet.patch, facet.half, is_plus, figure, name + ": " + answer->why});
 }
 
 }  // namespace
 
-void judge_cells(const PatchComplex& complex, const std::vector<LiteralCell>& cells,
+void judge_cells(const PatchComplex& complex, const std::vector<LiteralCell>& cells, unsigned jobs,
                  LiteralCells& out) {
-  for (const LiteralCell& cell : cells) {
-    const Polynomial h = height_form(cell.facet());
-    const Decision below = nowhere_negative(h).decision,
-                   above = nowhere_negative(negative(h)).decision;
-    if (below == Decision::kOpen || above == Decision::kOpen) {
+  std::vector<CellAnswers> answers(cells.size());
+  parallel_for(cells.size(), 16, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) answers[i] = judge(cells[i]);
+  });
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (answers[i].is_open) {
       ++out.undecided;
       continue;
     }
-    const bool has_minus = below == Decision::kViolated, has_plus = above == Decision::kViolated;
-    if (has_plus) {
-      ++out.plus;
-      judge(complex, {&cell, true, !has_minus}, out);
-    }
-    if (has_minus) {
-      ++out.minus;
-      judge(complex, {&cell, false, !has_plus}, out);
-    }
-    out.split += has_plus && has_minus ? 1 : 0;
+    for (const bool is_plus : {true, false})
+      if (answers[i].parts[is_plus ? 1 : 0].is_there)
+        add_part(complex, cells[i].facet(), is_plus, answers[i].parts[is_plus ? 1 : 0], out);
+    out.split += answers[i].parts[0].is_there && answers[i].parts[1].is_there ? 1 : 0;
   }
 }
 

@@ -19,7 +19,7 @@ PlaceAnswer is_connected(const CellPart& part);
 PlaceAnswer is_on_one_side(const CellPart& part);
 PlaceAnswer has_vertices_on_patch(const CellPart& part);
 
-void judge_cells(const PatchComplex& complex, const std::vector<LiteralCell>& cells,
+void judge_cells(const PatchComplex& complex, const std::vector<LiteralCell>& cells, unsigned jobs,
                  LiteralCells& out);
 
 }  // namespace veritope::internal

@@ -97,7 +97,8 @@ TEST(OriginCosts, AreTheMeanNumbersOfBoxesAroundRandomPoints) {
     boxes.push_back(of_control_points(patch));
     Bounds box;
     box.add(origin, true);
-    for (const PatchPoint& p : base_triangles(patch)[0]) box.add(p, false);
+    const BaseTriangle base = base_triangles(patch)[0];
+    for (const PatchPoint& p : base) box.add(p, false);
     boxes.push_back(box);
   }
   const int kPoints = 2000;

@@ -83,14 +83,19 @@ class LiteralChain::Body {
     for (std::size_t i = 0; i < bases_.size(); ++i)
       if (meets(veritope::hull(bases_[i], from), at))
         add_simplex(facets_.facets()[i], origin, q, cones);
-    bool is_open = false;
+    bool is_open = false, is_flat = true;
     hierarchy_.visit([&](const Box3d& box) { return !is_open && meets(box, at); },
-                     [&](std::uint32_t i) { is_open = is_open || !cells_[i].add_cones(q, cones); });
+                     [&](std::uint32_t i) {
+                       if (is_open) return;
+                       const internal::Meets met = cells_[i].add_cones(q, cones);
+                       is_open = met == internal::Meets::kOpen;
+                       is_flat = is_flat && met == internal::Meets::kSome;
+                     });
     LiteralValue out;
     if (is_open) return out;
     out.f = 0;
     for (const LocalCone& cone : cones) *out.f += cone.coefficient;
-    out.regular = internal::regular_value(cones);
+    if (is_flat) out.regular = internal::regular_value(cones);
     return out;
   }
 

@@ -16,9 +16,10 @@ namespace veritope {
 
 struct LiteralValue {
   std::optional<int>
-      f;  ///< nothing: on or so near a curved wall that kMostLevels halvings do not tell
+      f;  ///< nothing: on a curved wall, but for rational parameters of its patch, or so near one that
+          ///< 48 halvings do not tell
   std::optional<int>
-      regular;  ///< f*; nothing without f, or if more than 48 planes meet at the point
+      regular;  ///< f*; nothing on a curved wall, or if more than 48 planes meet at the point
 };
 
 class LiteralChain {

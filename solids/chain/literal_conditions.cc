@@ -202,9 +202,9 @@ PlaceAnswer has_vertices_on_patch(const CellPart& part) {
                          plus(times(facet.offsets[1], w20), times(facet.offsets[2], w01)));
   for (Rational& x : apex) x /= det;
   const Meets held = part.cell->part_holds(apex, part.is_plus);
-  if (held == Meets::kNone) return {};
+  if (held == Meets::kNone || held == Meets::kOn) return {};
   const std::string where = "the planes of the three sides meet at " + approx_text(apex);
-  if (held == Meets::kSome && part.cell->line().point(facet, apex) == Meets::kNone)
+  if (held != Meets::kOpen && part.cell->line().point(facet, apex) == Meets::kNone)
     return {Decision::kViolated, where + ", in the cell and off the patch"};
   return {Decision::kOpen,
           where + ", and whether that is in the cell or on the patch is undecided"};
@@ -231,13 +231,12 @@ struct CellAnswers {
 };
 
 CellAnswers judge(const LiteralCell& cell) {
-  const Polynomial h = height_form(cell.facet());
-  const Decision below = nowhere_negative(h).decision,
-                 above = nowhere_negative(negative(h)).decision;
   CellAnswers out;
-  out.is_open = below == Decision::kOpen || above == Decision::kOpen;
-  out.parts[0].is_there = below == Decision::kViolated;
-  out.parts[1].is_there = above == Decision::kViolated;
+  for (const bool is_plus : {false, true}) {
+    const auto has_part = cell.has_part(is_plus);
+    out.is_open = out.is_open || !has_part;
+    out.parts[is_plus ? 1 : 0].is_there = has_part == true;
+  }
   for (std::size_t k = 0; !out.is_open && k < 2; ++k) {
     PartAnswers& answers = out.parts[k];
     if (!answers.is_there) continue;

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "robust/simplest.h"
 #include "solids/chain/integer_net_internal.h"
 #include "solids/chain/literal_polynomials_internal.h"
 #include "solids/chain/patch_line_internal.h"
@@ -141,15 +142,52 @@ bool is_met(const std::vector<LinePiece>& pieces, const std::vector<std::size_t>
   return winding != 0;
 }
 
-Meets search(Net net) {
+// The simplest number of [lo, hi] / unit, or so near that the halvings do not tell.
+Rational simplest_parameter(std::uint64_t lo, std::uint64_t hi, const Rational& unit) {
+  if (lo == 0) return Rational(0);
+  if (Rational(hi) >= unit) return Rational(1);
+  const Rational half = Rational(1) / Rational(2);
+  return simplest_between((Rational(lo) - half) / unit, (Rational(hi) + half) / unit);
+}
+
+// Tries the simplest parameters of a cluster: whether there the patch is on the half-line.
+Meets guess(const Net& net, const std::vector<LinePiece>& pieces,
+            const std::vector<std::size_t>& cluster, int level) {
+  GridPoint lo = pieces[cluster.front()].corners[0], hi = lo;
+  for (const std::size_t i : cluster)
+    for (const GridPoint& g : pieces[i].corners)
+      for (std::size_t k = 0; k < 2; ++k) {
+        lo[k] = std::min(lo[k], g[k]);
+        hi[k] = std::max(hi[k], g[k]);
+      }
+  const Rational unit = Rational::power_of_two(level);
+  const Rational u = simplest_parameter(lo[0], hi[0], unit),
+                 v = simplest_parameter(lo[1], hi[1], unit), w = Rational(1) - u - v;
+  if (w.sign() < 0) return Meets::kOpen;
+  const Integer scale = lcm(u.denominator(), v.denominator());
+  const auto times_scale = [&](const Rational& x) {
+    return x.numerator() * divide_exactly(scale, x.denominator());
+  };
+  const std::vector<Integer> at =
+      evaluate<Integer>(net, {times_scale(u), times_scale(v), times_scale(w)});
+  if (!at[0].is_zero() || !at[1].is_zero() || at[2].sign() < 0) return Meets::kOpen;
+  return at[2].is_zero() ? Meets::kOn : Meets::kTouches;
+}
+
+Meets search(const Net& net) {
   std::vector<LinePiece> pieces;
-  pieces.push_back({std::move(net), {{{1, 0}, {0, 1}, {0, 0}}}});
-  for (int level = 0; level < PatchLine::kMostLevels; ++level) {
+  pieces.push_back({net, {{{1, 0}, {0, 1}, {0, 0}}}});
+  for (int level = 0; level <= PatchLine::kMostLevels; ++level) {
     std::erase_if(pieces, [](const LinePiece& p) { return misses_half_line(p.net); });
     if (pieces.empty()) return Meets::kNone;
     if (pieces.size() > kMostPieces) return Meets::kOpen;
-    for (const auto& cluster : clusters_of(pieces))
+    const bool guesses = level > 0 && level % 16 == 0;
+    for (const auto& cluster : clusters_of(pieces)) {
       if (is_met(pieces, cluster)) return Meets::kSome;
+      if (!guesses) continue;
+      const Meets guessed = guess(net, pieces, cluster, level);
+      if (guessed != Meets::kOpen) return guessed;
+    }
     std::vector<LinePiece> next;
     for (const LinePiece& p : pieces)
       for (LinePiece& q : parts_of(p)) next.push_back(std::move(q));
@@ -189,13 +227,13 @@ Meets PatchLine::half_line(const LiteralFacet& facet, const ExactPoint& q, bool 
   set_difference(net_.component(0), w, along[0], 1, net.component(0));
   set_difference(net_.component(1), w, along[1], 1, net.component(1));
   set_difference(net_.component(2), w, facet.height(q), is_upward ? 1 : -1, net.component(2));
-  return search(std::move(net));
+  return search(net);
 }
 
 Meets PatchLine::point(const LiteralFacet& facet, const ExactPoint& q) const {
   for (const bool is_upward : {false, true}) {
     const Meets met = half_line(facet, q, is_upward);
-    if (met == Meets::kNone) return Meets::kNone;
+    if (met == Meets::kNone || met == Meets::kOn) return met;
   }
   return Meets::kOpen;
 }

@@ -104,7 +104,7 @@ class Chain(Folder):
         model = self.file("o.vjson", pn_octahedron())
         points = self.file("p.txt", "1/3 1/3 1/3\n0 0 1\n0 0 0\n1/2 1/2 0\n2 0 0\n")
         self.assertEqual(run("classify", model, points, "--by", "literal").stdout,
-                         "1/3 1/3 1/3 - 2 2\n0 0 1 - wall -\n0 0 0 - 8 8\n1/2 1/2 0 - 4 4\n2 0 0 - 0 0\n")
+                         "1/3 1/3 1/3 - 2 2\n0 0 1 - 8 -\n0 0 0 - 8 8\n1/2 1/2 0 - 4 4\n2 0 0 - 0 0\n")
 
     def test_the_page_shows_what_the_example_prints(self):
         printed = (support.ROOT / "examples" / "literal_chain" / "expected.txt").read_text()
@@ -155,6 +155,26 @@ class Chain(Folder):
         self.assertEqual(document["free_form"]["minus"], 1)
         self.assertEqual([(r["figure"], r["cell"][:23]) for r in document["cells"]["refused"]], [("3a", "triangle 0, minus part:")])
         self.assertIn("refused      as in figure 3a: triangle 0, minus part: the planes of the three sides meet at", re.sub(r"\n +", " ", run("chain", model).stdout))
+
+    @unittest.skipUnless(support.DATA.is_dir(), "needs VERITOPE_DATA")
+    def test_the_assumptions_hold_for_a_real_sphere_and_there_f_is_the_winding_number(self):
+        model = support.DATA / "cad" / "mfem__ball-nurbs.mesh"
+        document = self.chain(model, "--no-check")
+        self.assertEqual([h["holds"] for h in document["literal"].values()], [True] * 3)
+        points = self.file("p.txt", "".join(f"{200 * i + 7}/1700 {200 * j + 11}/1900 {200 * k + 13}/2300\n"  # off walls
+                                            for i in range(-8, 9) for j in range(-8, 9) for k in range(-8, 9, 3)))
+        truth, literal = ([line.split()[4] for line in run("classify", "--no-check", model, points, *options, timeout=600).stdout.splitlines()]
+                          for options in ((), ("--by", "literal", "--origin", "1/101,1/103,1/107")))
+        self.assertGreater(truth.count("1"), 200)
+        self.assertEqual(truth, literal)
+
+    @unittest.skipUnless(support.DATA.is_dir(), "needs VERITOPE_DATA")
+    def test_what_an_origin_costs_for_a_real_mesh(self):
+        document = self.chain(support.DATA / "mesh" / "solid1" / "thingiCSG__bunny_remap.off", "--no-check")
+        costs = [o["cell_tests"] for o in document["origins"]]
+        self.assertEqual(len(costs), 5)
+        self.assertLess(12 * costs[4], costs[0])    # auto, 0,0,0
+        self.assertLess(costs[4], 0.75 * costs[1])  # the centre
 
     def test_the_report_does_not_depend_on_the_number_of_threads(self):
         reports = {run("chain", CUBE, "--json", "-", "--jobs", jobs).stdout for jobs in (1, 2, 3)}

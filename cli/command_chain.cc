@@ -45,7 +45,8 @@ ChainReport::Hypothesis as_reported(const LiteralHypothesis& h) {
 }
 
 // The costs of the origin in use, of 0, of places of the box, and of the best candidate; each point once.
-std::vector<ChainReport::Origin> table_of(const OriginCosts& costs, const ExactPoint& used) {
+std::vector<ChainReport::Origin> table_of(const OriginCosts& costs, const ExactPoint& used,
+                                          const OriginCost& best) {
   std::vector<ChainReport::Origin> out;
   const auto add = [&](const std::string& name, const ExactPoint& p, const CellTests& tests) {
     for (ChainReport::Origin& o : out)
@@ -66,7 +67,6 @@ std::vector<ChainReport::Origin> table_of(const OriginCosts& costs, const ExactP
   add_corner("centre", approx_centre(costs.box()));
   add_corner("lower corner", costs.box().lo);
   add_corner("upper corner", costs.box().hi);
-  const OriginCost best = costs.best();
   add("auto", best.origin, best.tests);
   return out;
 }
@@ -120,7 +120,8 @@ class ChainRun {
 
   void fill(const PatchComplex& complex) {
     const OriginCosts costs(complex);
-    report_.origin = options_.origin.is_auto ? costs.best().origin : options_.origin.point;
+    const OriginCost best = costs.best();
+    report_.origin = options_.origin.is_auto ? best.origin : options_.origin.point;
     const CellCounts simplices = count_simplices(complex, report_.origin);
     report_.simplices = {simplices.plus, simplices.minus, simplices.zero, 0, 0};
     const auto jobs = static_cast<unsigned>(options_.input.reading.jobs);
@@ -135,7 +136,7 @@ class ChainRun {
     report_.curves_in_planes = as_reported(literal.curves_in_planes);
     report_.graphs = as_reported(literal.graphs);
     fill(chain.cells(jobs));
-    report_.origins = table_of(costs, report_.origin);
+    report_.origins = table_of(costs, report_.origin, best);
   }
 
   void fill(const LiteralCells& cells) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "cli/chain_origin.h"
+#include "cli/chain_picture.h"
 #include "cli/checker_process.h"
 #include "cli/commands.h"
 #include "cli/decided_model.h"
@@ -21,7 +22,7 @@ namespace {
 struct ChainOptions {
   InputOptions input;
   ChainOrigin origin;
-  std::optional<std::string> json;
+  std::optional<std::string> json, output;
   bool no_check = false;
 };
 
@@ -31,6 +32,7 @@ void declare(OptionSet& set, ChainOptions& o) {
       "--origin", "X,Y,Z|auto",
       [&o](const std::string& text) { return take_origin(text, o.origin); },
       "the origin of the simplices (0,0,0)");
+  set.text("-o,--output", o.output, "write the cells, for viewers: .vtu");
   declare_json(set, o.json, "write the counts");
   declare_jobs(set, o.input.reading.jobs);
   set.flag("--no-check", o.no_check, "do not run veritope-check");
@@ -43,7 +45,8 @@ ChainReport::Hypothesis as_reported(const LiteralHypothesis& h) {
 }
 
 // The costs of the origin in use, of 0, of places of the box, and of the best candidate; each point once.
-std::vector<ChainReport::Origin> table_of(const OriginCosts& costs, const ExactPoint& used) {
+std::vector<ChainReport::Origin> table_of(const OriginCosts& costs, const ExactPoint& used,
+                                          const OriginCost& best) {
   std::vector<ChainReport::Origin> out;
   const auto add = [&](const std::string& name, const ExactPoint& p, const CellTests& tests) {
     for (ChainReport::Origin& o : out)
@@ -64,7 +67,6 @@ std::vector<ChainReport::Origin> table_of(const OriginCosts& costs, const ExactP
   add_corner("centre", approx_centre(costs.box()));
   add_corner("lower corner", costs.box().lo);
   add_corner("upper corner", costs.box().hi);
-  const OriginCost best = costs.best();
   add("auto", best.origin, best.tests);
   return out;
 }
@@ -76,6 +78,9 @@ class ChainRun {
 
   ExitCode run() {
     if (const Status status = check_outputs(); !status) return fail(status.error());
+    if (options_.output && !options_.output->ends_with(".vtu"))
+      return complain(harmless("the name " + *options_.output + " does not end in .vtu")),
+             kExitUsage;
     CertifySettings settings;
     settings.reading = options_.input.reading;
     settings.certify.jobs = static_cast<unsigned>(options_.input.reading.jobs);
@@ -92,7 +97,9 @@ class ChainRun {
     report_.path = path();
     report_.sha256 = model.sha256;
     fill(*model.complex);
+    const ExitCode written = write_cells(*model.complex);
     progress_.clear();
+    if (written != kExitValid) return written;
     if (options_.json != "-") out_.write(fold(chain_text(report_), verdict_width()));
     return write_json();
   }
@@ -103,31 +110,66 @@ class ChainRun {
   Status check_outputs() const {
     const Result<OutputPlan> plan = plan_outputs(options_.input.files, std::nullopt, options_.json);
     if (!plan) return plan.error();
-    return try_outputs(*plan, {options_.json});
+    if (options_.output)
+      if (const Status status = check_output("--output", *options_.output, options_.input.files,
+                                             *plan, options_.json);
+          !status)
+        return status;
+    return try_outputs(*plan, {options_.json, options_.output});
   }
 
   void fill(const PatchComplex& complex) {
     const OriginCosts costs(complex);
-    report_.origin = options_.origin.is_auto ? costs.best().origin : options_.origin.point;
+    const OriginCost best = costs.best();
+    report_.origin = options_.origin.is_auto ? best.origin : options_.origin.point;
     const CellCounts simplices = count_simplices(complex, report_.origin);
     report_.simplices = {simplices.plus, simplices.minus, simplices.zero, 0, 0};
-    BaseSideCounts sides;
-    for (const Patch& patch : complex.patches()) sides.add(base_side(patch));
+    const auto jobs = static_cast<unsigned>(options_.input.reading.jobs);
+    const BaseSideCounts sides = count_base_sides(complex.patches(), jobs);
+
     report_.free_form = {sides.plus, sides.minus, sides.zero, sides.mixed, sides.open};
     report_.is_normal =
         true;  // CHAIN-1: f is the winding number, which is 0 or 1 for a VALID model
-    const LiteralHypotheses literal = LiteralChain(complex).hypotheses();
+    const LiteralChain chain(complex);
+    const LiteralHypotheses literal = chain.hypotheses(jobs);
     report_.planes_share_lines = as_reported(literal.planes_share_lines);
     report_.curves_in_planes = as_reported(literal.curves_in_planes);
     report_.graphs = as_reported(literal.graphs);
-    report_.origins = table_of(costs, report_.origin);
+    fill(chain.cells(jobs));
+    report_.origins = table_of(costs, report_.origin, best);
+  }
+
+  void fill(const LiteralCells& cells) {
+    report_.plus_cells = cells.plus;
+    report_.minus_cells = cells.minus;
+    report_.split = cells.split;
+    report_.undecided_cells = cells.undecided;
+    report_.without_wedge = cells.without_wedge;
+    report_.connected = as_reported(cells.connected);
+    report_.on_one_side = as_reported(cells.on_one_side);
+    report_.with_vertices_on_patch = as_reported(cells.with_vertices_on_patch);
+    for (const RefusedCell& cell : cells.refused)
+      report_.refused.push_back({cell.figure, cell.why});
+  }
+
+  ExitCode write_cells(const PatchComplex& complex) {
+    if (!options_.output) return kExitValid;
+    progress_.phase(shown_path(path()), "writing");
+    const Result<std::string> bytes = chain_picture(complex, report_.origin);
+    if (!bytes) return refuse(bytes.error());
+    const Status status = write_output(*options_.output, *bytes, out_);
+    return status ? kExitValid : refuse(status.error());
   }
 
   ExitCode write_json() {
     if (!options_.json) return kExitValid;
     const Status status = write_output(*options_.json, chain_json(report_), out_);
-    if (status || *options_.json == "-") return kExitValid;
-    complain(harmless(to_string(status.error())));
+    return status || *options_.json == "-" ? kExitValid : refuse(status.error());
+  }
+
+  ExitCode refuse(const Error& error) {
+    progress_.clear();
+    complain(harmless(to_string(error)));
     return kExitUnreadable;
   }
 

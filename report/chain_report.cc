@@ -37,6 +37,25 @@ std::string hypothesis_text(const ChainReport::Hypothesis& h, const std::string&
   return out + " of " + all + "; " + h.first;
 }
 
+std::string cells_text(const ChainReport& r) {
+  std::string out = std::to_string(r.plus_cells) + " plus, " + std::to_string(r.minus_cells) +
+                    " minus; " + counted(r.split, "patch", "patches") + " split";
+  if (r.undecided_cells > 0) out += ", " + std::to_string(r.undecided_cells) + " undecided";
+  if (r.without_wedge > 0) out += ", " + std::to_string(r.without_wedge) + " without a wedge";
+  return detail_line("own cells", out);
+}
+
+std::string refused_text(const std::vector<ChainReport::Refusal>& refused) {
+  constexpr std::size_t kMostShown = 5;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(kMostShown, refused.size()); ++i)
+    out += detail_line(i == 0 ? "refused" : "",
+                       "as in figure " + refused[i].figure + ": " + refused[i].why);
+  if (refused.size() > kMostShown)
+    out += detail_line("", std::to_string(refused.size() - kMostShown) + " more");
+  return out;
+}
+
 std::string origins_text(const std::vector<ChainReport::Origin>& origins) {
   std::size_t width = 0;
   for (const auto& o : origins) width = std::max(width, columns(o.name));
@@ -69,6 +88,17 @@ std::string chain_json(const ChainReport& report) {
   out["literal"] = {{"planes_share_lines", hypothesis_json(report.planes_share_lines)},
                     {"curves_in_planes", hypothesis_json(report.curves_in_planes)},
                     {"graphs", hypothesis_json(report.graphs)}};
+  Json refused = Json::array();
+  for (const auto& r : report.refused) refused.push_back({{"figure", r.figure}, {"cell", r.why}});
+  out["cells"] = {{"plus", report.plus_cells},
+                  {"minus", report.minus_cells},
+                  {"split", report.split},
+                  {"undecided", report.undecided_cells},
+                  {"without_wedge", report.without_wedge},
+                  {"connected", hypothesis_json(report.connected)},
+                  {"one_side", hypothesis_json(report.on_one_side)},
+                  {"vertices", hypothesis_json(report.with_vertices_on_patch)},
+                  {"refused", refused}};
   out["origins"] = origins;
   return dump(out) + "\n";
 }
@@ -80,7 +110,14 @@ std::string chain_text(const ChainReport& report) {
          detail_line("planes", hypothesis_text(report.planes_share_lines, "vertices")) +
          detail_line("curves", hypothesis_text(report.curves_in_planes, "edges")) +
          detail_line("graphs", hypothesis_text(report.graphs, "base triangles")) +
-         origins_text(report.origins);
+         cells_text(report) +
+         (report.connected.places == 0
+              ? std::string()
+              : detail_line("connected", hypothesis_text(report.connected, "cells")) +
+                    detail_line("one side", hypothesis_text(report.on_one_side, "cells")) +
+                    detail_line("vertices",
+                                hypothesis_text(report.with_vertices_on_patch, "cells"))) +
+         refused_text(report.refused) + origins_text(report.origins);
 }
 
 }  // namespace veritope::report

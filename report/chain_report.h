@@ -26,12 +26,20 @@ struct ChainReport {
     double cell_tests = 0;
   };
 
+  struct Refusal {
+    std::string figure, why;
+  };
+
   std::string path, sha256;
   std::array<Rational, 3> origin;
   Counts simplices;  ///< mixed, open: 0
   Counts free_form;
   bool is_normal = false;
   Hypothesis planes_share_lines, curves_in_planes, graphs;
+  /// The cells of definition 9, and the conditions of definition 1 on them.
+  std::uint64_t plus_cells = 0, minus_cells = 0, split = 0, undecided_cells = 0, without_wedge = 0;
+  Hypothesis connected, on_one_side, with_vertices_on_patch;
+  std::vector<Refusal> refused;
   std::vector<Origin> origins;
 };
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "robust/base/parallel.h"
 #include "solids/chain/exact_vector_internal.h"
 #include "solids/chain/free_form_cell.h"
 #include "solids/chain/literal_sign_internal.h"
@@ -12,14 +13,6 @@ namespace veritope {
 namespace {
 
 using internal::Decision;
-
-// Both halves of a patch of four sides; the patch itself.
-std::vector<Patch::Triangle> triangles_of(const Patch& patch) {
-  if (patch.is_triangle()) return {patch.triangle()};
-  const Rational o(1), z;
-  return {on_triangle<Rational>(patch.tensor(), {{{z, z}, {o, z}, {o, o}}}),
-          on_triangle<Rational>(patch.tensor(), {{{z, z}, {o, o}, {z, o}}})};
-}
 
 BezierTriangle<Rational> height_over(const BaseTriangle& base, const ExactPoint& normal,
                                      const Patch::Triangle& map) {
@@ -39,6 +32,13 @@ BezierTriangle<Rational> negated(BezierTriangle<Rational> f) {
 }
 
 }  // namespace
+
+std::vector<Patch::Triangle> triangles_of(const Patch& patch) {
+  if (patch.is_triangle()) return {patch.triangle()};
+  const Rational o(1), z;
+  return {on_triangle<Rational>(patch.tensor(), {{{z, z}, {o, z}, {o, o}}}),
+          on_triangle<Rational>(patch.tensor(), {{{z, z}, {o, o}, {z, o}}})};
+}
 
 BaseSide base_side(const Patch& patch) {
   if (patch.is_flat_triangle()) return BaseSide::kZero;
@@ -69,6 +69,16 @@ void BaseSideCounts::add(BaseSide side) {
      : side == BaseSide::kZero  ? zero
      : side == BaseSide::kMixed ? mixed
                                 : open);
+}
+
+BaseSideCounts count_base_sides(std::span<const Patch> patches, unsigned jobs) {
+  std::vector<BaseSide> sides(patches.size());
+  parallel_for(patches.size(), 64, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) sides[i] = base_side(patches[i]);
+  });
+  BaseSideCounts out;
+  for (const BaseSide side : sides) out.add(side);
+  return out;
 }
 
 }  // namespace veritope

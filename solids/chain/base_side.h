@@ -3,6 +3,8 @@
 // free-form cell (section 3.2, figure 9).
 #pragma once
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "solids/patches/patch.h"
 
@@ -20,10 +22,14 @@ enum class BaseSide : std::uint8_t {
 /// or before one and behind the other.
 BaseSide base_side(const Patch& patch);
 
+/// The patch itself, or the halves of its domain over both base triangles as Bezier triangles, exactly.
+std::vector<Patch::Triangle> triangles_of(const Patch& patch);
+
 /// Numbers of patches.
 struct BaseSideCounts {
   std::uint64_t plus = 0, minus = 0, zero = 0, mixed = 0, open = 0;
   void add(BaseSide side);
 };
+BaseSideCounts count_base_sides(std::span<const Patch> patches, unsigned jobs);
 
 }  // namespace veritope

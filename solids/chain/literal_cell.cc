@@ -4,6 +4,7 @@
 
 #include "solids/chain/literal_cell_internal.h"
 #include "solids/chain/literal_polynomials_internal.h"
+#include "solids/chain/literal_sign_internal.h"
 
 namespace veritope::internal {
 
@@ -34,21 +35,32 @@ LiteralCell::LiteralCell(const LiteralFacet& facet)
     add_rounded(p, box_);
     add_rounded(minus(p, times(facet.height(p) / size, facet.normal)), box_);
   }
+  Polynomial h = height_form(facet);
+  for (const bool is_plus : {false, true}) {
+    const Decision nowhere = nowhere_negative(h).decision;
+    if (nowhere != Decision::kOpen) has_part_[is_plus ? 1 : 0] = nowhere == Decision::kViolated;
+    for (Rational& c : h.coefficients()) c.negate();
+  }
 }
 
 Meets LiteralCell::part_holds(const ExactPoint& q, bool is_plus) const {
   const Sign side = facet_->height(q).sign();
-  if (is_plus ? side < 0 : side > 0) return Meets::kNone;
+  if (has_part(is_plus) == false || (is_plus ? side < 0 : side > 0)) return Meets::kNone;
   for (std::size_t k = 0; k < 3; ++k)
     if (facet_->over_wall(k, q).sign() < 0) return Meets::kNone;
-  return line_.half_line(*facet_, q, is_plus);
+  const Meets met = line_.half_line(*facet_, q, is_plus);
+  // A point of the patch in the plane of its base is in the closure of the points on one side if all are there.
+  const bool is_all = has_part(is_plus) == true && has_part(!is_plus) == false;
+  return met == Meets::kOn && side == 0 && !is_all ? Meets::kOpen : met;
 }
 
-bool LiteralCell::add_cones(const ExactPoint& q, std::vector<LocalCone>& out) const {
+Meets LiteralCell::add_cones(const ExactPoint& q, std::vector<LocalCone>& out) const {
+  Meets all = Meets::kSome;
   for (const bool is_plus : {true, false}) {
     const Meets held = part_holds(q, is_plus);
-    if (held == Meets::kOpen) return false;
+    if (held == Meets::kOpen) return held;
     if (held == Meets::kNone) continue;
+    if (held != Meets::kSome) all = Meets::kTouches;
     LocalCone cone;
     cone.coefficient = is_plus ? 1 : -1;
     for (std::size_t k = 0; k < 3; ++k)
@@ -57,7 +69,7 @@ bool LiteralCell::add_cones(const ExactPoint& q, std::vector<LocalCone>& out) co
       cone.inner.push_back(times(Rational(is_plus ? 1 : -1), facet_->normal));
     out.push_back(std::move(cone));
   }
-  return true;
+  return all;
 }
 
 }  // namespace veritope::internal

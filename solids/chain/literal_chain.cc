@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "robust/base/fp_guard.h"
-#include "solids/chain/literal_cell_internal.h"
+#include "solids/chain/literal_conditions_internal.h"
 #include "solids/chain/literal_hypotheses_internal.h"
 #include "solids/chain/local_cones_internal.h"
 #include "solids/pieces/box_hierarchy.h"
@@ -61,11 +61,19 @@ class LiteralChain::Body {
     hierarchy_ = BoxHierarchy(boxes);
   }
 
-  LiteralHypotheses hypotheses() const {
+  LiteralHypotheses hypotheses(unsigned jobs) const {
     LiteralHypotheses out;
     out.planes_share_lines = internal::planes_share_lines(complex_, facets_);
     out.curves_in_planes = internal::curves_in_planes(complex_, facets_);
-    internal::decide_graphs(complex_, facets_, out);
+    internal::decide_graphs(complex_, facets_, jobs, out);
+    return out;
+  }
+
+  LiteralCells cells(unsigned jobs) const {
+    LiteralCells out;
+    for (const internal::LiteralFacet& facet : facets_.facets())
+      out.without_wedge += facet.has_wedge ? 0 : 1;
+    internal::judge_cells(complex_, cells_, jobs, out);
     return out;
   }
 
@@ -75,14 +83,19 @@ class LiteralChain::Body {
     for (std::size_t i = 0; i < bases_.size(); ++i)
       if (meets(veritope::hull(bases_[i], from), at))
         add_simplex(facets_.facets()[i], origin, q, cones);
-    bool is_open = false;
+    bool is_open = false, is_flat = true;
     hierarchy_.visit([&](const Box3d& box) { return !is_open && meets(box, at); },
-                     [&](std::uint32_t i) { is_open = is_open || !cells_[i].add_cones(q, cones); });
+                     [&](std::uint32_t i) {
+                       if (is_open) return;
+                       const internal::Meets met = cells_[i].add_cones(q, cones);
+                       is_open = met == internal::Meets::kOpen;
+                       is_flat = is_flat && met == internal::Meets::kSome;
+                     });
     LiteralValue out;
     if (is_open) return out;
     out.f = 0;
     for (const LocalCone& cone : cones) *out.f += cone.coefficient;
-    out.regular = internal::regular_value(cones);
+    if (is_flat) out.regular = internal::regular_value(cones);
     return out;
   }
 
@@ -101,7 +114,11 @@ LiteralChain::LiteralChain(const PatchComplex& complex) {
 LiteralChain::LiteralChain(LiteralChain&&) noexcept = default;
 LiteralChain::~LiteralChain() = default;
 
-LiteralHypotheses LiteralChain::hypotheses() const { return body_->hypotheses(); }
+LiteralHypotheses LiteralChain::hypotheses(unsigned jobs) const { return body_->hypotheses(jobs); }
+LiteralCells LiteralChain::cells(unsigned jobs) const {
+  const ScopedDefaultFp nearest;
+  return body_->cells(jobs);
+}
 LiteralValue LiteralChain::value(const ExactPoint& point, const ExactPoint& origin) const {
   const ScopedDefaultFp nearest;
   return body_->value(point, origin);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "solids/chain/literal_conditions.h"
 #include "solids/chain/literal_hypotheses.h"
 #include "solids/classify/point_answer.h"
 #include "solids/patches/patch_complex.h"
@@ -15,9 +16,10 @@ namespace veritope {
 
 struct LiteralValue {
   std::optional<int>
-      f;  ///< nothing: on or so near a curved wall that kMostLevels halvings do not tell
+      f;  ///< nothing: on a curved wall, but for rational parameters of its patch, or so near one that
+          ///< 48 halvings do not tell
   std::optional<int>
-      regular;  ///< f*; nothing without f, or if more than 48 planes meet at the point
+      regular;  ///< f*; nothing on a curved wall, or if more than 48 planes meet at the point
 };
 
 class LiteralChain {
@@ -27,8 +29,12 @@ class LiteralChain {
   LiteralChain(LiteralChain&&) noexcept;
   ~LiteralChain();
 
-  /// Whether what the paper assumes is true of the model.
-  LiteralHypotheses hypotheses() const;
+  /// Whether what the paper assumes is true of the model. The answer does not depend on the number of threads.
+  LiteralHypotheses hypotheses(unsigned jobs = 1) const;
+
+  /// The free-form cells, and whether definition 1 accepts them. @cost milliseconds for each curved patch of a low
+  /// degree, up to a second for rational patches of four sides
+  LiteralCells cells(unsigned jobs = 1) const;
 
   /// f, definition 3: the sum of the coefficients of the closed cells that hold the point, simplices from the origin
   /// and parts of wedges. And f*, definition 6, if all cells are cones with flat sides near the point. Curved walls are

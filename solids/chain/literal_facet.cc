@@ -2,18 +2,11 @@
 #include <utility>
 
 #include "robust/base/check.h"
+#include "solids/chain/base_side.h"
 #include "solids/chain/literal_facet_internal.h"
-#include "splines/bezier_triangle_algebra.h"
 
 namespace veritope::internal {
 namespace {
-
-// The patch over half a square, with corners (0,0), (1,0), (1,1) or (0,0), (1,1), (0,1).
-Patch::Triangle half_of(const Patch::Tensor& map, std::uint32_t half) {
-  const Rational o(1), z;
-  if (half == 0) return on_triangle<Rational>(map, {{{z, z}, {o, z}, {o, o}}});
-  return on_triangle<Rational>(map, {{{z, z}, {o, o}, {z, o}}});
-}
 
 // The corner of the patch that is corner k of the facet.
 std::uint32_t corner_of_patch(std::uint32_t half, std::uint32_t k) {
@@ -64,8 +57,7 @@ void LiteralFacets::add_facet(const PatchComplex& complex, std::uint32_t p, std:
       edge.vertices = {complex.vertex({p, corner_of_patch(half, k)}),
                        complex.vertex({p, corner_of_patch(half, (k + 1) % 3)})};
   }
-  if (!patch.is_flat_triangle())
-    facet.map = is_triangle ? patch.triangle() : half_of(patch.tensor(), half);
+  if (!patch.is_flat_triangle()) facet.map = triangles_of(patch)[half];
   facets_.push_back(std::move(facet));
 }
 

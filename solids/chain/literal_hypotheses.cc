@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "robust/base/parallel.h"
 #include "solids/chain/literal_hypotheses_internal.h"
 #include "solids/chain/literal_polynomials_internal.h"
 
@@ -182,21 +183,27 @@ PlaceAnswer is_upright(const LiteralFacet& facet) {
   return out;
 }
 
-void decide_graphs(const PatchComplex& complex, const LiteralFacets& facets,
+void decide_graphs(const PatchComplex& complex, const LiteralFacets& facets, unsigned jobs,
                    LiteralHypotheses& out) {
-  for (const LiteralFacet& facet : facets.facets()) {
-    const std::string name = name_of(complex, facet);
-    std::array<PlaceAnswer, 3> answers;
-    if (facet.has_wedge)
-      answers = {is_in_wedge(facet), is_facing(facet), is_upright(facet)};
-    else
-      answers.fill({Decision::kViolated, is_zero(facet.normal)
-                                             ? "the base has no area"
-                                             : "a side has no plane, or that of the base"});
-    add(out.in_wedges, answers[0], name);
-    add(out.facing, answers[1], name);
-    add(out.upright, answers[2], name);
-    add(out.graphs, *std::max_element(answers.begin(), answers.end(), is_better), name);
+  const std::vector<LiteralFacet>& all = facets.facets();
+  std::vector<std::array<PlaceAnswer, 3>> answers(all.size());
+  parallel_for(all.size(), 64, jobs, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const LiteralFacet& facet = all[i];
+      if (facet.has_wedge)
+        answers[i] = {is_in_wedge(facet), is_facing(facet), is_upright(facet)};
+      else
+        answers[i].fill({Decision::kViolated, is_zero(facet.normal)
+                                                  ? "the base has no area"
+                                                  : "a side has no plane, or that of the base"});
+    }
+  });
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string name = name_of(complex, all[i]);
+    add(out.in_wedges, answers[i][0], name);
+    add(out.facing, answers[i][1], name);
+    add(out.upright, answers[i][2], name);
+    add(out.graphs, *std::max_element(answers[i].begin(), answers[i].end(), is_better), name);
   }
 }
 

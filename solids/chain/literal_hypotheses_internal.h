@@ -23,7 +23,7 @@ PlaceAnswer is_in_wedge(const LiteralFacet& facet);
 PlaceAnswer is_facing(const LiteralFacet& facet);
 PlaceAnswer is_upright(const LiteralFacet& facet);
 /// Fills graphs, in_wedges, facing and upright.
-void decide_graphs(const PatchComplex& complex, const LiteralFacets& facets,
+void decide_graphs(const PatchComplex& complex, const LiteralFacets& facets, unsigned jobs,
                    LiteralHypotheses& out);
 
 /// "facet 3", "surface 0, span (0, 1), second half".

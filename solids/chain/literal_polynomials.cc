@@ -107,13 +107,10 @@ std::vector<Rational> side_form(const LiteralFacet& facet, std::size_t k, const 
   return out;
 }
 
-std::vector<Rational> side_derivative(const LiteralFacet& facet, std::size_t k,
-                                      const ExactPoint& l) {
-  const std::vector<Rational> x = side_form(facet, k, l, Rational(0));
-  const Patch::Curve c = side_of(facet, k);
-  std::vector<Rational> w(x.size(), Rational(1));
-  if (c.is_rational()) w.assign(c.component(3).begin(), c.component(3).end());
-  return wronskian(w, x);
+std::vector<Rational> turning_form(const LiteralFacet& facet, std::size_t k, const ExactPoint& b) {
+  const auto axes = base_axes(facet);
+  return wronskian(side_form(facet, k, axes[0], dot(axes[0], b)),
+                   side_form(facet, k, axes[1], dot(axes[1], b)));
 }
 
 ExactPoint point_at(const LiteralFacet& facet, const Barycentric<Rational>& at) {

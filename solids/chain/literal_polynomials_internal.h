@@ -26,12 +26,12 @@ Polynomial weight_form(const LiteralFacet& facet);
 
 Polynomial difference(const Polynomial& a, const Polynomial& b);  ///< REQUIRES one degree
 
-/// l . c(t) - offset, times the weight, for the side k of the facet; and the derivative of l . c(t), times the squared
-/// weight. REQUIRES facet.map.
+/// l . c(t) - offset, times the weight, for the side k of the facet. REQUIRES facet.map.
 std::vector<Rational> side_form(const LiteralFacet& facet, std::size_t k, const ExactPoint& l,
                                 const Rational& offset);
-std::vector<Rational> side_derivative(const LiteralFacet& facet, std::size_t k,
-                                      const ExactPoint& l);
+
+/// How the side k turns around b, seen along the base's normal: det(c - b, c', N), times a positive function.
+std::vector<Rational> turning_form(const LiteralFacet& facet, std::size_t k, const ExactPoint& b);
 
 /// The point of the patch at these parameters.
 ExactPoint point_at(const LiteralFacet& facet, const Barycentric<Rational>& at);

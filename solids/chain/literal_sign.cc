@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "solids/chain/integer_net_internal.h"
 #include "solids/chain/literal_sign_internal.h"
 
 namespace veritope::internal {
@@ -12,9 +13,10 @@ namespace {
 struct CoefficientSigns {
   bool has_positive = false, has_negative = false;
 };
-CoefficientSigns signs_of(std::span<const Rational> f) {
+template <typename Number>
+CoefficientSigns signs_of(std::span<const Number> f) {
   CoefficientSigns out;
-  for (const Rational& c : f) {
+  for (const Number& c : f) {
     out.has_positive = out.has_positive || c.sign() > 0;
     out.has_negative = out.has_negative || c.sign() < 0;
   }
@@ -22,7 +24,7 @@ CoefficientSigns signs_of(std::span<const Rational> f) {
 }
 
 struct SignPiece {
-  BezierTriangle<Rational> f;
+  IntegerNet f;
   std::array<Barycentric<Rational>, 3> corners;
 };
 
@@ -46,8 +48,7 @@ std::optional<Barycentric<Rational>> negative_place(const SignPiece& piece) {
                                       triangle_index(0, n)};
   for (std::size_t k = 0; k < 3; ++k)
     if (piece.f.component(0)[at[k]].sign() < 0) return piece.corners[k];
-  const Rational third = Rational(1) / Rational(3);
-  if (evaluate<Rational>(piece.f, {third, third, third})[0].sign() < 0) return centre_of(piece);
+  if (evaluate<Integer>(piece.f, {1, 1, 1})[0].sign() < 0) return centre_of(piece);
   return std::nullopt;
 }
 
@@ -83,32 +84,32 @@ struct CurvePiece {
 }  // namespace
 
 NowhereNegative nowhere_negative(const BezierTriangle<Rational>& f) {
-  const CoefficientSigns all = signs_of(f.component(0));
+  const CoefficientSigns all = signs_of<Rational>(f.component(0));
   NowhereNegative out;
   out.is_zero = !all.has_positive && !all.has_negative;
   const Rational o(1), z;
   std::deque<SignPiece> pieces;
-  pieces.push_back({f, {{{o, z, z}, {z, o, z}, {z, z, o}}}});
+  pieces.push_back({integer_net(f), {{{o, z, z}, {z, o, z}, {z, z, o}}}});
   for (std::size_t examined = 0; !pieces.empty(); examined += f.count()) {
     if (examined > kMostCoefficients) return out;
     const SignPiece piece = std::move(pieces.front());
     pieces.pop_front();
-    if (!signs_of(piece.f.component(0)).has_negative) continue;
+    if (!signs_of<Integer>(piece.f.component(0)).has_negative) continue;
     out.where = negative_place(piece);
     if (out.where) {
       out.decision = Decision::kViolated;
       return out;
     }
-    const auto parts = split_in_four(piece.f);
+    auto parts = quarters_of(piece.f);
     const auto corners = quarters(piece);
-    for (std::size_t k = 0; k < 4; ++k) pieces.push_back({parts[k], corners[k]});
+    for (std::size_t k = 0; k < 4; ++k) pieces.push_back({std::move(parts[k]), corners[k]});
   }
   out.decision = Decision::kHolds;
   return out;
 }
 
 NowhereNegativeCurve nowhere_negative(std::vector<Rational> f) {
-  const CoefficientSigns all = signs_of(f);
+  const CoefficientSigns all = signs_of<Rational>(f);
   NowhereNegativeCurve out;
   out.is_zero = !all.has_positive && !all.has_negative;
   const std::size_t count = f.size();
@@ -118,7 +119,7 @@ NowhereNegativeCurve nowhere_negative(std::vector<Rational> f) {
     if (examined > kMostCoefficients) return out;
     const CurvePiece piece = std::move(pieces.front());
     pieces.pop_front();
-    if (!signs_of(piece.f).has_negative) continue;
+    if (!signs_of<Rational>(piece.f).has_negative) continue;
     const Rational half = (piece.begin + piece.end) / Rational(2);
     if (piece.f.front().sign() < 0) out.where = piece.begin;
     if (piece.f.back().sign() < 0) out.where = piece.end;

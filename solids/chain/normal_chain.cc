@@ -65,11 +65,15 @@ std::optional<int> simplex_value(const BaseTriangle& t, const ExactPoint& origin
 }
 
 void count(const BaseTriangle& t, const ExactPoint& origin, CellCounts& out) {
-  const Sign s = orientation(origin, t[0], t[1], t[2]);
+  const Sign s = simplex_sign(t, origin);
   ++(s > 0 ? out.plus : s < 0 ? out.minus : out.zero);
 }
 
 }  // namespace
+
+Sign simplex_sign(const BaseTriangle& base, const ExactPoint& origin) {
+  return orientation(origin, base[0], base[1], base[2]);
+}
 
 CellCounts count_simplices(const PatchComplex& complex, const ExactPoint& origin) {
   CellCounts out;

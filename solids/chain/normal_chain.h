@@ -22,6 +22,8 @@ struct CellCounts {
   std::uint64_t plus = 0, minus = 0, zero = 0, mixed = 0;
 };
 
+/// The coefficient of the simplex from the origin over a base triangle: the sign of its volume.
+Sign simplex_sign(const BaseTriangle& base, const ExactPoint& origin);
 /// The simplices of the normal chain, without making the chain.
 CellCounts count_simplices(const PatchComplex& complex, const ExactPoint& origin);
 

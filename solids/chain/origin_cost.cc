@@ -2,6 +2,7 @@
 #include "solids/chain/origin_cost.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "robust/base/fp_guard.h"
@@ -30,9 +31,6 @@ Box3d box_of_control(const Patch& patch) {
   return out;
 }
 
-// Halves, so that no difference overflows.
-double half_length(double lo, double hi) { return 0.5 * hi - 0.5 * lo; }
-
 }  // namespace
 
 OriginCosts::OriginCosts(const PatchComplex& complex) : model_(empty_box()) {
@@ -51,7 +49,7 @@ OriginCosts::OriginCosts(const PatchComplex& complex) : model_(empty_box()) {
   num_cells_ = cells.size();
   for (const Box3d& box : cells) {
     double part = 1;
-    for (std::size_t k = 0; k < 3; ++k) part *= share(k, half_length(box.lo[k], box.hi[k]));
+    for (std::size_t k = 0; k < 3; ++k) part *= share(k, box.lo[k], box.hi[k]);
     cells_ += part;
   }
   for (std::size_t k = 0; k < 3; ++k) {
@@ -66,13 +64,17 @@ OriginCosts::OriginCosts(const PatchComplex& complex) : model_(empty_box()) {
   }
 }
 
-double OriginCosts::share(std::size_t axis, double half) const {
-  return half / half_length(model_.lo[axis], model_.hi[axis]);
+// Where coordinates along an axis are so large that their differences may overflow, quarters are taken.
+double OriginCosts::share(std::size_t axis, double lo, double hi) const {
+  const double far = std::max(std::abs(model_.lo[axis]), std::abs(model_.hi[axis])),
+               unit = far >= 0x1p1022 ? 0.25 : 1;
+  return (unit * hi - unit * lo) / (unit * model_.hi[axis] - unit * model_.lo[axis]);
 }
 
-// Claim   each part has a relative error of less than 14u, u = 2^-53: two differences, of which both operands are
-//         halves and so exact (or below 2^-1022, far below u of a model whose box is a box), a quotient, for three
-//         axes, and two products. A sum of n parts that are not negative adds less than n u of the sum.
+// Claim   each part has a relative error of less than 14u, u = 2^-53: two differences, which are exact below 2^-1022,
+//         and a quotient of at most 1, for three axes, and two products; and an absolute error below 2^-1000 where
+//         these underflow. Quarters are exact but for bounds below 2^-1020, by
+//         2^-1074, beside a length over 2^900. A sum of n parts that are not negative adds less than n u of the sum.
 CellTests OriginCosts::at(const ExactPoint& origin) const {
   const ScopedDefaultFp nearest;
   Box3d from = empty_box();
@@ -83,12 +85,12 @@ CellTests OriginCosts::at(const ExactPoint& origin) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const double lo = std::max(model_.lo[k], std::min(base.lo[k], from.lo[k])),
                    hi = std::min(model_.hi[k], std::max(base.hi[k], from.hi[k]));
-      part *= share(k, half_length(lo, hi));
+      part *= share(k, lo, hi);
     }
     out.value += part;
   }
   out.value += cells_;
-  out.error = out.value * 0x1p-52 * static_cast<double>(16 + bases_.size() + num_cells_);
+  out.error = (out.value + 1) * 0x1p-52 * static_cast<double>(16 + bases_.size() + num_cells_);
   return out;
 }
 
@@ -101,8 +103,7 @@ double OriginCosts::best_along(std::size_t axis, const Point3d& at) const {
   for (std::size_t j = 0; j < bases_.size(); ++j) {
     for (std::size_t k = 0; k < 3; ++k)
       if (k != axis)
-        weights[j] *= share(
-            k, half_length(std::min(bases_[j].lo[k], at[k]), std::max(bases_[j].hi[k], at[k])));
+        weights[j] *= share(k, std::min(bases_[j].lo[k], at[k]), std::max(bases_[j].hi[k], at[k]));
     all += weights[j];
   }
   double below = 0;

@@ -47,7 +47,7 @@ class OriginCosts {
   Point3d descended(Point3d from) const;
   double best_along(std::size_t axis, const Point3d& at) const;
   Point3d median() const;
-  double share(std::size_t axis, double length_of_half) const;
+  double share(std::size_t axis, double lo, double hi) const;
 
   Box3d model_;
   std::vector<Box3d> bases_;

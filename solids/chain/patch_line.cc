@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "robust/simplest.h"
+#include "solids/chain/integer_net_internal.h"
 #include "solids/chain/literal_polynomials_internal.h"
 #include "solids/chain/patch_line_internal.h"
 
@@ -65,18 +67,15 @@ bool misses_half_line(const Net& net) {
 GridPoint doubled(const GridPoint& a) { return {2 * a[0], 2 * a[1]}; }
 GridPoint sum_of(const GridPoint& a, const GridPoint& b) { return {a[0] + b[0], a[1] + b[1]}; }
 
-// Four pieces, in the order of split_in_four, with control points times 2^degree.
-std::vector<LinePiece> quarters_of(const LinePiece& p) {
-  using Arguments = std::array<Barycentric<Integer>, 3>;
-  const Barycentric<Integer> c0{2, 0, 0}, c1{0, 2, 0}, c2{0, 0, 2}, m0{0, 1, 1}, m1{1, 0, 1},
-      m2{1, 1, 0};
+std::vector<LinePiece> parts_of(const LinePiece& p) {
   const GridPoint g0 = doubled(p.corners[0]), g1 = doubled(p.corners[1]),
                   g2 = doubled(p.corners[2]), h0 = sum_of(p.corners[1], p.corners[2]),
                   h1 = sum_of(p.corners[0], p.corners[2]), h2 = sum_of(p.corners[0], p.corners[1]);
-  return {{restricted<Integer>(p.net, Arguments{c0, m2, m1}), {g0, h2, h1}},
-          {restricted<Integer>(p.net, Arguments{m2, c1, m0}), {h2, g1, h0}},
-          {restricted<Integer>(p.net, Arguments{m1, m0, c2}), {h1, h0, g2}},
-          {restricted<Integer>(p.net, Arguments{m0, m1, m2}), {h0, h1, h2}}};
+  auto parts = quarters_of(p.net);
+  return {{std::move(parts[0]), {g0, h2, h1}},
+          {std::move(parts[1]), {h2, g1, h0}},
+          {std::move(parts[2]), {h1, h0, g2}},
+          {std::move(parts[3]), {h0, h1, h2}}};
 }
 
 // The control polygon of a side, from corner s to corner s + 1.
@@ -143,18 +142,55 @@ bool is_met(const std::vector<LinePiece>& pieces, const std::vector<std::size_t>
   return winding != 0;
 }
 
-Meets search(Net net) {
+// The simplest number of [lo, hi] / unit, or so near that the halvings do not tell.
+Rational simplest_parameter(std::uint64_t lo, std::uint64_t hi, const Rational& unit) {
+  if (lo == 0) return Rational(0);
+  if (Rational(hi) >= unit) return Rational(1);
+  const Rational half = Rational(1) / Rational(2);
+  return simplest_between((Rational(lo) - half) / unit, (Rational(hi) + half) / unit);
+}
+
+// Tries the simplest parameters of a cluster: whether there the patch is on the half-line.
+Meets guess(const Net& net, const std::vector<LinePiece>& pieces,
+            const std::vector<std::size_t>& cluster, int level) {
+  GridPoint lo = pieces[cluster.front()].corners[0], hi = lo;
+  for (const std::size_t i : cluster)
+    for (const GridPoint& g : pieces[i].corners)
+      for (std::size_t k = 0; k < 2; ++k) {
+        lo[k] = std::min(lo[k], g[k]);
+        hi[k] = std::max(hi[k], g[k]);
+      }
+  const Rational unit = Rational::power_of_two(level);
+  const Rational u = simplest_parameter(lo[0], hi[0], unit),
+                 v = simplest_parameter(lo[1], hi[1], unit), w = Rational(1) - u - v;
+  if (w.sign() < 0) return Meets::kOpen;
+  const Integer scale = lcm(u.denominator(), v.denominator());
+  const auto times_scale = [&](const Rational& x) {
+    return x.numerator() * divide_exactly(scale, x.denominator());
+  };
+  const std::vector<Integer> at =
+      evaluate<Integer>(net, {times_scale(u), times_scale(v), times_scale(w)});
+  if (!at[0].is_zero() || !at[1].is_zero() || at[2].sign() < 0) return Meets::kOpen;
+  return at[2].is_zero() ? Meets::kOn : Meets::kTouches;
+}
+
+Meets search(const Net& net) {
   std::vector<LinePiece> pieces;
-  pieces.push_back({std::move(net), {{{1, 0}, {0, 1}, {0, 0}}}});
-  for (int level = 0; level < PatchLine::kMostLevels; ++level) {
+  pieces.push_back({net, {{{1, 0}, {0, 1}, {0, 0}}}});
+  for (int level = 0; level <= PatchLine::kMostLevels; ++level) {
     std::erase_if(pieces, [](const LinePiece& p) { return misses_half_line(p.net); });
     if (pieces.empty()) return Meets::kNone;
     if (pieces.size() > kMostPieces) return Meets::kOpen;
-    for (const auto& cluster : clusters_of(pieces))
+    const bool guesses = level > 0 && level % 16 == 0;
+    for (const auto& cluster : clusters_of(pieces)) {
       if (is_met(pieces, cluster)) return Meets::kSome;
+      if (!guesses) continue;
+      const Meets guessed = guess(net, pieces, cluster, level);
+      if (guessed != Meets::kOpen) return guessed;
+    }
     std::vector<LinePiece> next;
     for (const LinePiece& p : pieces)
-      for (LinePiece& q : quarters_of(p)) next.push_back(std::move(q));
+      for (LinePiece& q : parts_of(p)) next.push_back(std::move(q));
     pieces = std::move(next);
   }
   return Meets::kOpen;
@@ -177,15 +213,11 @@ PatchLine::PatchLine(const LiteralFacet& facet) : net_(facet.map->degree(), 4, f
   if (!facet.map->is_rational())
     weight = Polynomial(net_.degree(), 1, false, std::vector<Rational>(net_.count(), Rational(1)));
   const std::array<Polynomial, 4> forms{base[0], base[1], height_form(facet), std::move(weight)};
-  Integer scale(1);
-  for (const Polynomial& f : forms)
-    for (const Rational& c : f.coefficients()) scale = lcm(scale, c.denominator());
-  for (std::size_t k = 0; k < 4; ++k)
-    for (std::size_t i = 0; i < net_.count(); ++i) {
-      const Rational& c = forms[k].component(0)[i];
-      net_.component(static_cast<int>(k))[i] =
-          c.numerator() * divide_exactly(scale, c.denominator());
-    }
+  BezierTriangle<Rational> all(net_.degree(), 4, false);
+  for (int k = 0; k < 4; ++k)
+    std::copy(forms[static_cast<std::size_t>(k)].coefficients().begin(),
+              forms[static_cast<std::size_t>(k)].coefficients().end(), all.component(k).begin());
+  net_ = integer_net(all);
 }
 
 Meets PatchLine::half_line(const LiteralFacet& facet, const ExactPoint& q, bool is_upward) const {
@@ -195,13 +227,13 @@ Meets PatchLine::half_line(const LiteralFacet& facet, const ExactPoint& q, bool 
   set_difference(net_.component(0), w, along[0], 1, net.component(0));
   set_difference(net_.component(1), w, along[1], 1, net.component(1));
   set_difference(net_.component(2), w, facet.height(q), is_upward ? 1 : -1, net.component(2));
-  return search(std::move(net));
+  return search(net);
 }
 
 Meets PatchLine::point(const LiteralFacet& facet, const ExactPoint& q) const {
   for (const bool is_upward : {false, true}) {
     const Meets met = half_line(facet, q, is_upward);
-    if (met == Meets::kNone) return Meets::kNone;
+    if (met == Meets::kNone || met == Meets::kOn) return met;
   }
   return Meets::kOpen;
 }

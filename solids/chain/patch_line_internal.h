@@ -7,18 +7,19 @@
 
 namespace veritope::internal {
 
-/// kSome and kNone are proved, and stay true of all points near the given one.
-enum class Meets : std::uint8_t { kSome, kNone, kOpen };
+/// kSome and kNone are proved, and stay true of all points near the given one. kTouches and kOn are proved, too, by
+/// rational parameters of a point of the patch, beyond the given point or equal to it, and say nothing of others.
+enum class Meets : std::uint8_t { kSome, kNone, kTouches, kOn, kOpen };
 
 class PatchLine {
  public:
   /// REQUIRES facet.map, a base with an area, weights > 0.
   explicit PatchLine(const LiteralFacet& facet);
 
-  /// The closed half-line from q along the base's normal, or against it. kOpen: on the patch, below its boundary or an
-  /// apparent contour, or within 2^-kMostLevels of these.
+  /// The closed half-line from q along the base's normal, or against it. Not kSome or kNone: on the patch, below its
+  /// boundary or an apparent contour, or within 2^-kMostLevels of these.
   Meets half_line(const LiteralFacet& facet, const ExactPoint& q, bool is_upward) const;
-  /// The point q alone: kNone, or kOpen.
+  /// The point q alone: kNone, kOn or kOpen.
   Meets point(const LiteralFacet& facet, const ExactPoint& q) const;
   static constexpr int kMostLevels = 48;
 

@@ -6,6 +6,12 @@ import re
 import unittest
 from fractions import Fraction
 
+try:
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+    from vtkmodules.vtkCommonCore import reference as vtkReference
+except ImportError:
+    vtkXMLUnstructuredGridReader = vtkReference = None
+
 import schema
 import support
 from support import MODELS, Folder, run
@@ -98,11 +104,77 @@ class Chain(Folder):
         model = self.file("o.vjson", pn_octahedron())
         points = self.file("p.txt", "1/3 1/3 1/3\n0 0 1\n0 0 0\n1/2 1/2 0\n2 0 0\n")
         self.assertEqual(run("classify", model, points, "--by", "literal").stdout,
-                         "1/3 1/3 1/3 - 2 2\n0 0 1 - wall -\n0 0 0 - 8 8\n1/2 1/2 0 - 4 4\n2 0 0 - 0 0\n")
+                         "1/3 1/3 1/3 - 2 2\n0 0 1 - 8 -\n0 0 0 - 8 8\n1/2 1/2 0 - 4 4\n2 0 0 - 0 0\n")
 
     def test_the_page_shows_what_the_example_prints(self):
         printed = (support.ROOT / "examples" / "literal_chain" / "expected.txt").read_text()
         self.assertIn(printed, (support.ROOT / "docs" / "cli" / "chain.md").read_text())
+
+    def test_the_cells_for_viewers(self):
+        model = self.file("o.vjson", pn_octahedron())
+        done = run("chain", model, "--origin", "2,0,0", "-o", self.folder / "cells.vtu")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        text = (self.folder / "cells.vtu").read_text()
+
+        def array(name):
+            return re.search(rf'Name="{name}"[^>]*>\n([^<]*)<', text).group(1).split()
+        self.assertEqual(array("kind"), ["0"] * 8 + ["1"] * 8)
+        self.assertEqual(sorted(array("coefficient")), ["-1"] * 4 + ["1"] * 12)
+        self.assertEqual(array("types"), ["10"] * 8 + ["80"] * 8)
+        self.assertEqual(array("patch"), [str(i) for i in range(8)] * 2)
+        self.assertEqual(len(array("connectivity")), 8 * 4 + 8 * 20)
+        self.assertEqual(run("chain", model, "-o", self.folder / "none" / "c.vtu").returncode, 4)
+
+    @unittest.skipUnless(vtkXMLUnstructuredGridReader, "VTK for Python is not installed")
+    def test_vtk_finds_the_patch_at_the_upper_end_of_a_cell(self):
+        model = self.file("o.vjson", pn_octahedron())
+        run("chain", model, "-o", self.folder / "cells.vtu")
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(self.folder / "cells.vtu"))
+        reader.Update()
+        cell = reader.GetOutput().GetCell(8)
+        for parameters, expected in [((0, 0, 1), (1, 0, 0)), ((1, 0, 1), (0, 1, 0)), ((0, 1, 1), (0, 0, 1)), ((0.5, 0.5, 1), (0, 5 / 8, 5 / 8)),
+                                     ((0.5, 0.5, 0), (0, 0.5, 0.5)), ((1 / 3, 1 / 3, 1), (4 / 9, 4 / 9, 4 / 9))]:
+            point, weights, piece = [0.0] * 3, [0.0] * cell.GetNumberOfPoints(), vtkReference(0)
+            cell.EvaluateLocation(piece, parameters, point, weights)
+            for x, y in zip(point, expected):
+                self.assertAlmostEqual(x, y, places=12)
+
+    def test_a_cell_that_definition_1_does_not_accept_is_named(self):
+        """A tetrahedron whose upper face hangs down to below the point where the planes of its sides meet."""
+        def flat(*corners):
+            return {"degree": 1, "rational": False, "components": 3, "points": [list(map(str, c)) for c in corners]}
+        a, b, c, d = (0, 0, 0), (1, 0, 0), (0, 1, 0), ("1/4", "1/5", -2)
+        deep = {"degree": 3, "rational": False, "components": 3, "points": [
+            [0, 0, 0], ["1/3", 0, 0], [0, "1/3", 0], ["2/3", 0, 0], ["1/3", "1/3", "-2/3"], [0, "2/3", 0], [1, 0, 0], ["2/3", "1/3", 0], ["1/3", "2/3", 0], [0, 1, 0]]}
+        deep["points"] = [list(map(str, p)) for p in deep["points"]]
+        shapes = [deep, flat(b, a, d), flat(c, b, d), flat(a, c, d)]
+        entities = [{"kind": "triangle", "group": None, "attributes": [], "shape": shape} for shape in shapes]
+        model = self.file("deep.vjson", json.dumps({"format": "veritope-spline-1", "groups": [], "entities": entities}))
+        document = self.chain(model)
+        self.assertEqual(document["free_form"]["minus"], 1)
+        self.assertEqual([(r["figure"], r["cell"][:23]) for r in document["cells"]["refused"]], [("3a", "triangle 0, minus part:")])
+        self.assertIn("refused      as in figure 3a: triangle 0, minus part: the planes of the three sides meet at", re.sub(r"\n +", " ", run("chain", model).stdout))
+
+    @unittest.skipUnless(support.DATA.is_dir(), "needs VERITOPE_DATA")
+    def test_the_assumptions_hold_for_a_real_sphere_and_there_f_is_the_winding_number(self):
+        model = support.DATA / "cad" / "mfem__ball-nurbs.mesh"
+        document = self.chain(model, "--no-check")
+        self.assertEqual([h["holds"] for h in document["literal"].values()], [True] * 3)
+        points = self.file("p.txt", "".join(f"{200 * i + 7}/1700 {200 * j + 11}/1900 {200 * k + 13}/2300\n"  # off walls
+                                            for i in range(-8, 9) for j in range(-8, 9) for k in range(-8, 9, 3)))
+        truth, literal = ([line.split()[4] for line in run("classify", "--no-check", model, points, *options, timeout=600).stdout.splitlines()]
+                          for options in ((), ("--by", "literal", "--origin", "1/101,1/103,1/107")))
+        self.assertGreater(truth.count("1"), 200)
+        self.assertEqual(truth, literal)
+
+    @unittest.skipUnless(support.DATA.is_dir(), "needs VERITOPE_DATA")
+    def test_what_an_origin_costs_for_a_real_mesh(self):
+        document = self.chain(support.DATA / "mesh" / "solid1" / "thingiCSG__bunny_remap.off", "--no-check")
+        costs = [o["cell_tests"] for o in document["origins"]]
+        self.assertEqual(len(costs), 5)
+        self.assertLess(12 * costs[4], costs[0])    # auto, 0,0,0
+        self.assertLess(costs[4], 0.75 * costs[1])  # the centre
 
     def test_the_report_does_not_depend_on_the_number_of_threads(self):
         reports = {run("chain", CUBE, "--json", "-", "--jobs", jobs).stdout for jobs in (1, 2, 3)}

@@ -125,6 +125,8 @@ OUTPUTS = [
     ("certify --certificate b.off a.off models", 2, "--certificate b.off is a file; several inputs need a folder"),
     ("classify --certificate c a.off note.txt", 2, "--certificate needs -o with the name of a file, which the checker can read"),
     ("classify -o note.txt a.off note.txt", 2, "the output note.txt is the input note.txt"),
+    ("chain a.off -o cells.stl", 2, "the name cells.stl does not end in .vtu"),
+    ("chain a.off -o c.vtu --json c.vtu", 2, "would both write c.vtu"),
     ("chain a.off --json a.off", 2, "the output a.off is the input a.off"),
     ("boolean A A=a.off", 2, "-o OUT.json is required, the file of the expression"),
     ("boolean A A=a.off -o e.json --json e.json", 2, "would both write e.json"),

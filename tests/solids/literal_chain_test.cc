@@ -152,15 +152,39 @@ TEST(LiteralValue, OnFlatWallsCountsAllCellsThatMeetThere) {
   expect_value(chain, {2, 2, 2}, centre, 0, 0);
 }
 
-TEST(LiteralValue, OnPatchesAndBelowTheirBoundariesThereIsNone) {
+// Cells are closed: points of patches are in them. There is no f* beside curved walls.
+TEST(LiteralValue, OnPatchesAtRationalParametersIsKnown) {
   const PatchComplex complex = complex_of(literal::pn_octahedron());
   const LiteralChain chain(complex);
-  const ExactPoint on = *point_of(evaluate<Rational>(
-      complex.patch(0).triangle(), {fraction(1, 2), fraction(1, 4), fraction(1, 4)}));
-  for (const ExactPoint& q : {on, ExactPoint{0, 0, 1}}) {
-    EXPECT_EQ(chain.value(q, kOrigin).f, std::nullopt);
-    EXPECT_EQ(chain.value(q, kOrigin).regular, std::nullopt);
+  const auto at = [&](const Barycentric<Rational>& b) {
+    return *point_of(evaluate<Rational>(complex.patch(0).triangle(), b));
+  };
+  const Rational o(1), z, half = fraction(1, 2), third = fraction(1, 3);
+  for (const auto& [b, f] :
+       {std::pair(Barycentric<Rational>{half, fraction(1, 4), fraction(1, 4)}, 1),
+        std::pair(Barycentric<Rational>{third, third, third}, 1),
+        std::pair(Barycentric<Rational>{fraction(2, 7), fraction(4, 7), fraction(1, 7)}, 1),
+        std::pair(Barycentric<Rational>{third, fraction(2, 3), z}, 2),
+        std::pair(Barycentric<Rational>{z, o, z}, 8)}) {
+    const LiteralValue value = chain.value(at(b), {0, 0, 0});
+    EXPECT_EQ(value.f, f);
+    EXPECT_EQ(value.regular, std::nullopt);
   }
+  // Below the boundary curve, along the base's normal (1, 1, 1), where it leans out of the base's prism.
+  ExactPoint below = at({half, half, z});
+  for (Rational& x : below) x -= fraction(1, 100);
+  EXPECT_EQ(chain.value(below, {0, 0, 0}).f, 1);
+}
+
+// Where a patch crosses the plane of its base, the point is in the closures of both parts, or of none.
+TEST(LiteralValue, OnAPatchThatCrossesItsBaseIsOpen) {
+  const auto h =
+      monomial({1, 1, 1}) * (monomial({1, 0, 0}, Rational(2)) + monomial({0, 1, 0}, Rational(-2)));
+  const PatchComplex complex = complex_of(tetrahedron_with({{{0, 0, 1}, h}}, fraction(-1, 3)));
+  const LiteralValue value =
+      LiteralChain(complex).value({fraction(1, 4), fraction(1, 2), 0}, kOrigin);
+  EXPECT_EQ(value.f, std::nullopt);
+  EXPECT_EQ(value.regular, std::nullopt);
 }
 
 // Seen from above, the faces at the lower edge from (0,0,0) have coefficient 1, the upper face -1. On the triangle

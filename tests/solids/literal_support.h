@@ -73,8 +73,8 @@ inline Patch moved(const std::array<PatchPoint, 3>& corners, const std::vector<M
 
 /// A tetrahedron with a corner below, without a symmetry, whose upper face over (0,0,0), (1,0,0), (0,1,0) is moved. The
 /// moves vanish on its sides.
-inline Patches tetrahedron_with(const std::vector<Move>& moves) {
-  const PatchPoint a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0}, d{fraction(1, 4), fraction(1, 5), -2};
+inline Patches tetrahedron_with(const std::vector<Move>& moves, const Rational& bottom = -2) {
+  const PatchPoint a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0}, d{fraction(1, 4), fraction(1, 5), bottom};
   return {moved({a, b, c}, moves), moved({b, a, d}, {}), moved({c, b, d}, {}),
           moved({a, c, d}, {})};
 }

@@ -139,6 +139,21 @@ TEST(OriginCosts, TheBestCandidateIsNoWorseThanAnyOriginOnAGrid) {
   }
 }
 
+TEST(OriginCosts, OfVeryLargeAndVerySmallModels) {
+  for (const int bits : {1023, -1072}) {
+    const Rational size = Rational::power_of_two(bits);
+    const PatchComplex complex = complex_of(
+        patch_shapes::box({-size, -size, -size}, {size, size, size + size / Rational(2)}));
+    const OriginCosts costs(complex);
+    const ExactPoint origin{size / Rational(4), size / Rational(4), -size / Rational(2)};
+    const CellTests tests = costs.at(origin);
+    EXPECT_LE(abs(Rational::from_double(tests.value) - slow_cost(complex, origin)),
+              Rational::from_double(tests.error))
+        << bits;
+    EXPECT_LE(costs.best().tests.value, tests.value);
+  }
+}
+
 // PROVES CHAIN-7
 TEST(OriginCosts, OutsideOfTheBoxAnOriginCostsWhatTheNearestPointOfTheBoxCosts) {
   const OriginCosts costs(complex_of(unit_box()));
@@ -147,8 +162,8 @@ TEST(OriginCosts, OutsideOfTheBoxAnOriginCostsWhatTheNearestPointOfTheBoxCosts) 
   EXPECT_EQ(costs.at({5, 5, 5}).value, costs.at({1, 1, 1}).value);
 }
 
-// The boxes of the bases of a face are the face. Over both bases of two opposite faces an origin in the cube has boxes of
-// the volumes d, d, 1 - d and 1 - d.
+// The boxes of the bases of a face are the face. Over both bases of two opposite faces an origin in the cube has boxes
+// of the volumes d, d, 1 - d and 1 - d.
 TEST(OriginCosts, OfACubeAreSixEverywhere) {
   const OriginCosts costs(complex_of(unit_box()));
   for (const Rational& x : {Rational(0), Rational(1) / Rational(3), Rational(1)})

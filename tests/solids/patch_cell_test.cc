@@ -5,6 +5,7 @@
 
 #include "robust/base/random.h"
 #include "solids/chain/associated_function.h"
+#include "solids/chain/boolean_chains.h"
 #include "solids/chain/normal_chain.h"
 #include "tests/solids/patch_support.h"
 
@@ -140,6 +141,31 @@ TEST(NormalChainAsChain, HasTheSameFunctionOffWalls) {
       EXPECT_GT(inside + patches.size(), 2u);
     }
   }
+}
+
+// Patches in their bases have the coefficient 0.
+TEST(NormalChainAsChain, HasNoCellsOverFlatPatches) {
+  const NormalChain block(complex_of(unit_box()));
+  const Chain<3> chain = block.chain({over(1, 3), over(1, 2), over(1, 5)});
+  EXPECT_EQ(chain.terms().size(), 12u);
+  for (const ChainTerm<3>& t : chain.terms()) EXPECT_EQ(t.cells[0]->kind(), CellKind::kSimplex);
+  EXPECT_EQ(block.chain({0, 0, 0}).terms().size(), 6u);
+}
+
+// The intersection with a cell off which the point lies is 0 on every wall of the other.  PROVES CHAIN-3
+TEST(PatchCell, DoesNotMatterWhereAnotherFactorIsZero) {
+  const Chain<3> cell(Integer(1), std::make_shared<const PatchCell>(roof(1)));
+  const FacetIn<3> facet{{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
+  // Its box holds the cell's, but x + y + z < 2 does not.
+  const Chain<3> far = original_simplices<3>({&facet, 1}, {2, 2, 2});
+  const PointIn<3> on_patch{over(1, 3), over(1, 3), over(2, 9)};
+  const AssociatedFunction<3> both(product(cell, far).value()), sum(cell + far);
+  ASSERT_EQ(both.chain().terms().size(), 1u);
+  EXPECT_EQ(both.value(on_patch), Integer(0));
+  EXPECT_EQ(both.regular_value(on_patch), Integer(0));
+  EXPECT_EQ(both.is_off_walls(on_patch), true);
+  EXPECT_EQ(sum.value(on_patch), std::nullopt);
+  EXPECT_EQ(sum.is_off_walls(on_patch), std::nullopt);
 }
 
 TEST(NormalChainAsChain, HasTheCellsOfThePaper) {

@@ -334,6 +334,19 @@ TEST(PlaneChain, HasRegularValuesOnChords) {
   EXPECT_EQ(f.regular_value({0, 0}), Integer(4));  // four simplices
 }
 
+TEST(PlaneRegion, NamesTheFirstOfSeveralCurvesAtAPoint) {
+  const PlaneRegion disk = region_of(circle({0, 0}, 1));
+  EXPECT_EQ(disk.classify({1, 0}).arc, 0u);  // the last one ends there, too
+  EXPECT_EQ(disk.classify({1, 0}).parameter, (ArcParameter{0, 0}));
+  EXPECT_EQ(disk.classify({0, 1}).arc, 0u);
+  EXPECT_EQ(disk.classify({0, 1}).parameter, (ArcParameter{1, 1}));
+  EXPECT_EQ(disk.classify({-1, 0}).arc, 1u);
+  std::vector<PlaneArc> twice = circle({0, 0}, 1);
+  for (int i = 0; i < 4; ++i) twice.push_back(twice[static_cast<std::size_t>(i)]);
+  EXPECT_EQ(region_of(twice).classify({fraction(-3, 5), fraction(4, 5)}).arc, 1u);
+  EXPECT_EQ(region_of(twice).classify({0, 0}).winding, 2);
+}
+
 TEST(PlaneRegion, NamesTheCurveAtWhichALoopIsOpen) {
   std::vector<PlaneArc> arcs = circle({0, 0}, 1);
   arcs.erase(arcs.begin() + 2);

@@ -2,13 +2,16 @@
 #include "solids/chain/normality.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
 #include "robust/base/fp_guard.h"
 #include "robust/base/random.h"
+#include "solids/chain/chain_boundary.h"
 #include "solids/chain/germ_sum_internal.h"
 #include "solids/chain/simplex_cell.h"
+#include "solids/polyhedron/validity.h"
 
 namespace veritope {
 namespace {
@@ -101,6 +104,39 @@ class Places {
   std::uint64_t sets_left_;
 };
 
+// A mesh of facets that occur once each; nothing if binary64 does not have a corner.
+std::optional<TriangleMesh> mesh_of(const std::vector<BoundaryFacet<3>>& facets) {
+  TriangleMesh out;
+  std::map<PointIn<3>, std::uint32_t> numbers;
+  for (const BoundaryFacet<3>& facet : facets) {
+    if (facet.multiplicity != Integer(1)) return std::nullopt;
+    std::array<std::uint32_t, 3>& face = out.faces.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [at, is_new] = numbers.try_emplace(facet.corners[i], numbers.size());
+      face[i] = at->second;
+      if (!is_new) continue;
+      const ChainPoint<3> p(facet.corners[i]);
+      if (!p.doubles()) return std::nullopt;
+      const auto& c = *p.doubles();
+      out.positions.push_back({c[0] + 0.0, c[1] + 0.0, c[2] + 0.0});  // no -0
+    }
+  }
+  return out;
+}
+
+// Whether a chain of simplices has no boundary, or one that bounds a solid; false also if this does not tell.
+template <std::size_t Dim>
+bool is_normal_by_boundary(const Chain<Dim>& chain) {
+  const auto facets = boundary_of(chain);
+  if (!facets) return false;
+  if (facets->empty()) return true;
+  if constexpr (Dim == 3) {
+    const std::optional<TriangleMesh> mesh = mesh_of(*facets);
+    return mesh && decide_validity(*mesh, {}).is_valid;
+  }
+  return false;
+}
+
 template <std::size_t Dim>
 class NormalityDecision {
  public:
@@ -110,6 +146,11 @@ class NormalityDecision {
       : f_(f), options_(options) {}
 
   Normality<Dim> run() {
+    if constexpr (Dim > 1)
+      if (is_normal_by_boundary(f_.chain())) {
+        out_.state = State::kHolds;
+        return out_;
+      }
     std::vector<FacetIn<Dim>> facets;
     if (all_facets(facets)) {
       const Places<Dim> places(facets, options_.max_places);

@@ -31,7 +31,8 @@ struct NormalityOptions {
 
 /// Decides chains of simplices, if the limits suffice. With a free-form cell a violation may be found, and otherwise
 /// the answer is undecided: that the chain of a valid model is normal follows from the model's certificate and CHAIN-1.
-/// @cost  with n facets that meet each other, in space n^3 points, and the faces around each
+/// @cost  near-linear for simplices in space over the facets of a solid (CHAIN-1 of a valid mesh); else, with n facets
+///        that meet each other, in space n^3 points, and the faces around each
 template <std::size_t Dim>
 Normality<Dim> is_normal(const AssociatedFunction<Dim>& f, const NormalityOptions& options = {});
 

@@ -110,6 +110,9 @@ TYPED_TEST(ProductIn, ComplementsNeedABoxAroundAllCells) {
   PointIn<kDim> far_lo, far_hi;
   far_lo.fill(-1);
   far_hi.fill(2);
+  EXPECT_FALSE(complement_of(a, lo, far_hi));
+  EXPECT_FALSE(complement_of(a, far_lo, hi));
+  EXPECT_TRUE(complement_of(a, far_lo, far_hi));
   const AssociatedFunction<kDim> f(complement_of(a, far_lo, far_hi).value());
   PointIn<kDim> q;
   for (std::size_t k = 0; k < kDim; ++k) q[k] = Rational(static_cast<int>(k) + 1) / Rational(7);

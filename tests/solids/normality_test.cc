@@ -7,9 +7,11 @@
 
 #include "robust/base/random.h"
 #include "solids/chain/boolean_chains.h"
+#include "solids/chain/chain_boundary.h"
 #include "solids/chain/normal_chain.h"
 #include "solids/chain/simplex_cell.h"
 #include "tests/solids/patch_support.h"
+#include "tests/support/shapes.h"
 
 namespace veritope {
 namespace {
@@ -98,7 +100,8 @@ TYPED_TEST(NormalityIn, IsUndecidedBeyondItsLimits) {
   constexpr std::size_t kDim = TypeParam::value;
   NormalityOptions options;
   options.max_places = 2;
-  EXPECT_EQ(decide(cube<kDim>(0, 2), options).state, State<kDim>::kUndecided);
+  const Chain<kDim> both = union_of(cube<kDim>(0, 2), cube<kDim>(1, 3)).value();
+  EXPECT_EQ(decide(both, options).state, State<kDim>::kUndecided);
   EXPECT_EQ(decide(Integer(2) * cube<kDim>(0, 2), options).state, State<kDim>::kViolated);
 }
 
@@ -129,6 +132,61 @@ TEST(Normality, NeverHoldsWhereAPointSaysOtherwise) {
   }
   EXPECT_GT(holds, 20u);
   EXPECT_GT(violated, 20u);
+}
+
+std::vector<FacetIn<3>> facets_of(const TriangleMesh& mesh) {
+  std::vector<FacetIn<3>> out;
+  for (const auto& face : mesh.faces) {
+    FacetIn<3>& facet = out.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        facet[i][static_cast<std::size_t>(k)] = Rational::from_double(mesh.positions[face[i]][k]);
+  }
+  return out;
+}
+
+// Hundreds of simplices that all meet at the origin, by their boundary.  PROVES CHAIN-4
+TEST(Normality, HoldsForNormalChainsOfLargeMeshes) {
+  const TriangleMesh torus = shapes::torus(24, 16, 3, 1);
+  const PointIn<3> origin{Rational(1) / Rational(3), Rational(1) / Rational(7), 5};
+  const Chain<3> chain = original_simplices<3>(facets_of(torus), origin);
+  EXPECT_EQ(decide(chain).state, State<3>::kHolds);
+  EXPECT_EQ(boundary_of(chain)->size(), torus.faces.size());
+  NormalityOptions few;
+  few.max_places = 100;
+  EXPECT_EQ(decide(Integer(2) * chain, few).state, State<3>::kViolated);
+  // Two tori that cross, or the same one turned inside out.
+  const TriangleMesh moved = shapes::moved(torus, {1, 0, 0});
+  const Chain<3> other = original_simplices<3>(facets_of(moved), origin);
+  EXPECT_EQ(decide(chain + other, few).value, Integer(2));
+  EXPECT_EQ(decide(original_simplices<3>(facets_of(shapes::reversed(torus)), origin), few).value,
+            Integer(-1));
+  EXPECT_FALSE(boundary_of(intersection_of(cube<3>(0, 1), cube<3>(0, 1)).value()));
+}
+
+// Facets have their normals where f is less; those between cells cancel.
+TEST(ChainBoundary, HasTheFacetsThatDoNotCancel) {
+  const auto inner = boundary_of(cube<2>(0, 2));
+  ASSERT_TRUE(inner);
+  EXPECT_EQ(inner->size(), 4u);
+  for (const BoundaryFacet<2>& f : *inner) {
+    EXPECT_EQ(f.multiplicity, Integer(1));
+    EXPECT_EQ(orientation_of<2>({f.corners[0], f.corners[1], {1, 1}}), Sign::kPositive);
+  }
+  for (const auto& [factor, sign] :
+       {std::pair(3, Sign::kNegative), std::pair(-3, Sign::kPositive)}) {
+    const auto facets = boundary_of(Integer(factor) * cube<3>(0, 2));
+    ASSERT_TRUE(facets);
+    for (const BoundaryFacet<3>& f : *facets) {
+      EXPECT_EQ(f.multiplicity, Integer(3));
+      EXPECT_EQ(orientation_of<3>({f.corners[0], f.corners[1], f.corners[2], {1, 1, 1}}), sign);
+    }
+  }
+  EXPECT_EQ(boundary_of(cube<3>(0, 2))->size(), 12u);
+  EXPECT_TRUE(boundary_of(Chain<3>())->empty());
+  EXPECT_TRUE(boundary_of(cube<3>(0, 2) - cube<3>(0, 2))->empty());
+  EXPECT_FALSE(
+      boundary_of(NormalChain(complex_of(patch_shapes::octant_sphere())).chain({0, 0, 0})));
 }
 
 // The normal chain of a polyhedron is normal for every origin; closed cells count twice on its faces.  PROVES CHAIN-4

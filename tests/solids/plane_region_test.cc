@@ -19,6 +19,8 @@ constexpr std::uint64_t kSeed = 20261201;
 
 Rational fraction(std::int64_t p, std::int64_t q = 1) { return Rational(p) / Rational(q); }
 
+Rational half_of(const Rational& x) { return x / Rational(2); }
+
 PlaneArc arc_of(const std::vector<PointIn<2>>& control, const std::vector<Rational>& weights = {}) {
   PlaneArc::Curve map({static_cast<int>(control.size()) - 1}, weights.empty() ? 2 : 3,
                       !weights.empty());
@@ -253,12 +255,50 @@ TEST(ArcCell, HasSignsAndValuesOfThePaper) {
     EXPECT_EQ(germ->outside, sign > 0 ? 1 : 0);
     EXPECT_FALSE(cell.germ(ChainPoint<2>({0, 0})));
   }
-  EXPECT_EQ(ArcCell(arc_of({{0, 0}, {1, 3}, {2, -3}, {3, 0}})).sign(), 1);  // on both sides
   // A straight curve has no cell, a closed one has no simplex.
   const PlaneArc straight = arc_of({{0, 0}, {1, 1}, {3, 3}}),
                  loop = arc_of({{0, 0}, {4, 0}, {0, 4}, {0, 0}});
   EXPECT_EQ(plane_chain(std::vector{straight}, {1, 0}).terms().size(), 1u);
   EXPECT_EQ(plane_chain(std::vector{loop}, {1, 0}).terms().size(), 1u);
+}
+
+// In every direction of the chord.  PROVES CHAIN-5
+TEST(ArcCell, HasItsValuesOnTheRightSidesOfChordsInAllDirections) {
+  for (const PointIn<2>& along : {PointIn<2>{2, 0}, {-2, 0}, {0, 2}, {0, -2}, {1, 3}, {-2, 1}})
+    for (const int right : {1, -1}) {
+      const PointIn<2> to_right{along[1] * right, -along[0] * right};
+      const PlaneArc arc = arc_of(
+          {{0, 0}, {half_of(along[0]) + to_right[0], half_of(along[1]) + to_right[1]}, along});
+      const ArcCell cell(arc);
+      EXPECT_EQ(cell.sign(), right);
+      const PointIn<2> middle{half_of(along[0]), half_of(along[1])};
+      const auto germ = cell.germ(ChainPoint<2>(middle));
+      ASSERT_TRUE(germ);
+      // Inward is to the left; the curve is on the right or on the left.
+      EXPECT_EQ(germ->inside, right > 0 ? 0 : 1);
+      EXPECT_EQ(germ->outside, right > 0 ? 1 : 0);
+      EXPECT_EQ(germ->border, 1);
+      const Rational inner = germ->half_spaces[0][0] * to_right[0] * Rational(right) +
+                             germ->half_spaces[0][1] * to_right[1] * Rational(right);
+      EXPECT_LT(inner, Rational(0));
+    }
+}
+
+// A curve that crosses its chord: its cell has the values 1 and -1, on the chord as well.  PROVES CHAIN-5
+TEST(ArcCell, HasBothSignsWhereTheCurveCrossesTheChord) {
+  const ArcCell cell(arc_of({{0, 0}, {1, 3}, {2, -3}, {3, 0}}));
+  EXPECT_EQ(cell.sign(), 1);
+  const auto value = [&](const Rational& x, const Rational& y) {
+    return cell.value(ChainPoint<2>({x, y}));
+  };
+  const Rational tenth = fraction(1, 10);
+  EXPECT_EQ(value(fraction(3, 4), tenth), -1);
+  EXPECT_EQ(value(fraction(3, 4), 0), -1);
+  EXPECT_EQ(value(fraction(3, 4), -tenth), 0);
+  EXPECT_EQ(value(fraction(3, 2), 0), std::nullopt);
+  EXPECT_EQ(value(fraction(9, 4), -tenth), 1);
+  EXPECT_EQ(value(fraction(9, 4), 0), 1);
+  EXPECT_EQ(value(fraction(9, 4), tenth), 0);
 }
 
 // A disk and a square with a common part; along a common chord as well.  PROVES CHAIN-3
@@ -292,6 +332,19 @@ TEST(PlaneChain, HasRegularValuesOnChords) {
   EXPECT_EQ(f.regular_value({fraction(3, 5), fraction(4, 5)}), std::nullopt);
   EXPECT_EQ(f.regular_value({fraction(1, 3), fraction(1, 4)}), Integer(1));
   EXPECT_EQ(f.regular_value({0, 0}), Integer(4));  // four simplices
+}
+
+TEST(PlaneRegion, NamesTheFirstOfSeveralCurvesAtAPoint) {
+  const PlaneRegion disk = region_of(circle({0, 0}, 1));
+  EXPECT_EQ(disk.classify({1, 0}).arc, 0u);  // the last one ends there, too
+  EXPECT_EQ(disk.classify({1, 0}).parameter, (ArcParameter{0, 0}));
+  EXPECT_EQ(disk.classify({0, 1}).arc, 0u);
+  EXPECT_EQ(disk.classify({0, 1}).parameter, (ArcParameter{1, 1}));
+  EXPECT_EQ(disk.classify({-1, 0}).arc, 1u);
+  std::vector<PlaneArc> twice = circle({0, 0}, 1);
+  for (int i = 0; i < 4; ++i) twice.push_back(twice[static_cast<std::size_t>(i)]);
+  EXPECT_EQ(region_of(twice).classify({fraction(-3, 5), fraction(4, 5)}).arc, 1u);
+  EXPECT_EQ(region_of(twice).classify({0, 0}).winding, 2);
 }
 
 TEST(PlaneRegion, NamesTheCurveAtWhichALoopIsOpen) {

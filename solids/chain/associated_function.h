@@ -31,8 +31,8 @@ class AssociatedFunction {
   std::optional<Integer> regular_value(const PointIn<Dim>& q) const;
   static constexpr std::size_t kMostWalls = 64;
   /// f off all walls beside the point, in one direction, the same for all cells. For the normal chain of a surface it
-  /// is the winding number, too, where only flat walls are (NormalChain::value). Nothing as for regular_value(), but
-  /// for any number of hyperplanes.
+  /// is the winding number, too, where only flat walls are (NormalChain::value). Nothing where regular_value() has no
+  /// value, but any number of hyperplanes is allowed.
   std::optional<Integer> value_beside(const PointIn<Dim>& q) const;
   /// Whether the point is on no wall of any cell that is there; then f is constant near it, and f* is f. Nothing if
   /// that is open.

@@ -200,14 +200,20 @@ class Codes(ExpressionTest):
                 self.says("ACCEPT", self.line(q, "on", *codes[0]))
 
     def test_walls_at_parameters_of_kind_1(self):
-        left, q = cube((0, 0, 0), 1), (1, Q(1, 2), Q(1, 3))
-        number, at = next((n, at) for n, e in enumerate(left.entities) for at in [forge.parameters_of(e, q)] if at)
-        code = bytes([forge.ON]) + forge.forge.varint(number) + b"\1" + forge.curved.as_root(at, RNG).bytes()
-        self.use("A", A=left)
-        self.says("ACCEPT", self.line(q, "on", *code))
-        self.use(("|", "A", "B"), A=left, B=RIGHT)
-        for word in ("in", "on", "out"):
-            self.says("P5", self.line(q, word, *code, forge.ON, *RIGHT.places(q)[0]))
+        left = cube((0, 0, 0), 1)
+
+        def code_at(q):
+            number, at = next((n, at) for n, e in enumerate(left.entities) for at in [forge.parameters_of(e, q)] if at)
+            return bytes([forge.ON]) + forge.forge.varint(number) + b"\1" + forge.curved.as_root(at, RNG).bytes()
+
+        for q, is_inside in (((1, Q(1, 2), Q(1, 3)), True), ((1, 0, Q(1, 3)), False), ((1, 1, 1), False)):
+            code = code_at(q)
+            self.use("A", A=left)
+            self.says("ACCEPT", self.line(q, "on", *code))
+            self.use(("|", "A", "B"), A=left, B=RIGHT)
+            for word in ("in", "on", "out"):
+                good = is_inside and word == self.subject.word(q)
+                self.says("ACCEPT" if good else "P5", self.line(q, word, *code, forge.ON, *RIGHT.places(q)[0]))
 
     def test_a_mesh_that_is_no_solid(self):
         twice = block((0, 0, 0), (1, 1, 1))

@@ -46,8 +46,8 @@ class PatchDirections {
 
 struct CertifiedPlace {
   std::variant<certificate::PointOnPatch, certificate::AlgebraicPointOnPatch> code;
-  /// Checkers know at which face, edge or vertex of the complex it is: the parameters are rational, or checkers see that
-  /// they are in the interior of the patch's domain.
+  /// Checkers know at which face, edge or vertex of the complex it is: the parameters are rational, or checkers see
+  /// that they are in the interior of the patch's domain.
   bool is_located = true;
 };
 

@@ -114,8 +114,8 @@ Big binomial(int n, int k) {
   for (int i = 0; i < k; ++i) r = divide(r * Big(n - i), Big(i + 1), nullptr);
   return r;
 }
-// Whether all Bernstein coefficients on [a, b] have at least this sign. By the polar form f of p: coefficient i is f of n - i times a
-// and i times b, where t^k has the elementary symmetric function k, divided by its number of terms.
+// Whether all Bernstein coefficients on [a, b] have at least this sign. By the polar form f of p: coefficient i is f
+// of n - i times a and i times b, where t^k has the elementary symmetric function k, divided by its number of terms.
 bool has_least_sign(const RationalPoly& p, const Ratio& a, const Ratio& b, int least) {
   const int n = int(p.c.size()) - 1;
   const std::vector<Big> c = Residues::integers(p).c;

@@ -56,7 +56,8 @@ class Certificates(boolean_test.Expressions):
 
     def test_spline_operands_and_nested_files(self):
         self.boolean("A - C", "A=a.off", "C=c.off", "-o", "inner.json")
-        self.assertEqual(self.answer("X | S | X", "X=inner.json", f"S={CUBE}")["certificate"]["uncovered"], 0)
+        volumes = MODELS / "splines" / "two_cubes.mesh"       # by its boundary faces
+        self.assertEqual(self.answer("X | S | X - V", "X=inner.json", f"S={CUBE}", f"V={volumes}")["certificate"]["uncovered"], 0)
         self.check(0, "8 points")
         self.change("inner.json", ("A - C", "C - A"))
         self.check(1, "O1")

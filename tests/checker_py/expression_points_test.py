@@ -366,6 +366,18 @@ class Work(ExpressionTest):
             codes = b"".join(bytes([forge.ON]) + solid.places((0, 0, 9))[0] for solid in (a, b))
             self.says(expected, self.line((0, 0, 9), "on", *codes))
 
+    def test_a_long_expression_of_many_solids_at_a_point(self):
+        names = "ABCDEFGHIJKLMN"
+        blocks = {name: block((0, 0, 0), (1 + i, 1, 1)) for i, name in enumerate(names)}
+        tree = names[0]
+        for name in names[1:]:
+            tree = "|", tree, name
+        for repeated, expected in ((700, "B1"), (1, "ACCEPT")):
+            self.use(tree, box=((-1, -1, -1), (20, 3, 3)), **blocks)
+            self.chain.changed = {"expression": " | ".join(list(names) * repeated)}
+            plan = self.plan(*[(0, 0, 0)] * 6)
+            self.says(expected, plan.copy(counts={"leaves": 14 * repeated}))
+
 
 if __name__ == "__main__":
     unittest.main()

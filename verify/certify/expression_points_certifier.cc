@@ -238,8 +238,10 @@ class ExpressionPointsCertifier::Body {
       wedges += more.value_or(0);
     }
     constexpr std::uint64_t kMany = 1000;
-    out.wedge_units =
-        wedges < kMany ? wedges * wedges + wedges * wedges * wedges / 32 : kMostWedgeUnits + 1;
+    const std::uint64_t evaluations = is_tabulated ? 1 : 1 + num_leaves_ / 64;
+    out.wedge_units = wedges < kMany
+                          ? (wedges * wedges + wedges * wedges * wedges / 32) * evaluations
+                          : kMostWedgeUnits + 1;
   }
   static std::vector<std::uint32_t> support_of(const Formula& formula) {
     const auto diagram = DecisionDiagram::make(formula, std::size_t{1} << (kMostTabulated + 1));

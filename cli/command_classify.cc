@@ -149,6 +149,10 @@ class ClassifyRun {
     std::optional<ExpressionOperand> expression = operands.load_chain(path());
     progress_.clear();
     if (!expression) return operands.exit();
+    for (const auto& output : {options_.output, options_.certificate, options_.json})
+      if (output && *output != "-")
+        if (const Status status = refuse_same(operands.files(), *output); !status)
+          return fail(status.error());
     report_.path = path();
     report_.sha256 = expression->sha256;
     report_.seconds_read = watch.lap();

@@ -116,6 +116,7 @@ std::optional<ExpressionOperand> ExpressionOperands::load(const std::string& pat
   progress_.phase(shown_path(path), "reading");
   const Result<ModelBytes> bytes = load_model(path, settings_.reading);
   if (!bytes) return refuse(kExitUnreadable, begin + harmless(to_string(bytes.error())));
+  files_.push_back(path);
   const std::string sha =
       to_hex(sha256({bytes->bytes.data(), static_cast<std::size_t>(bytes->bytes.size())}));
   if (expected != nullptr && sha != expected->sha256)

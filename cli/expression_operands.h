@@ -58,6 +58,8 @@ class ExpressionOperands {
 
   /// The first of 5, 1, 4, 3, 0 that occurred.
   ExitCode exit() const { return exit_; }
+  /// The files that were read, in order.
+  const std::vector<std::string>& files() const { return files_; }
   std::size_t num_solids() const { return solids_.size(); }
   /// Whether some solids are patches.
   bool has_patches() const { return has_patches_; }
@@ -88,6 +90,7 @@ class ExpressionOperands {
   ExitCode exit_ = kExitValid;
   bool has_patches_ = false;
   std::string no_certificate_;
+  std::vector<std::string> files_;
   std::vector<Solid> solids_;
   std::vector<std::string> solid_names_;
   std::vector<ExpressionSolid> sources_;  ///< of the solids, without their operands

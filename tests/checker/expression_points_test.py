@@ -8,7 +8,8 @@ import judges
 import expression_points_test as python_tests
 
 judges.judge(python_tests.vc)
-Words, Codes, Files, Work = python_tests.Words, python_tests.Codes, python_tests.Files, python_tests.Work
+Words, Codes, Lines = python_tests.Words, python_tests.Codes, python_tests.Lines
+Files, Work = python_tests.Files, python_tests.Work
 
 if __name__ == "__main__":
     unittest.main()

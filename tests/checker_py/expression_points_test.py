@@ -89,6 +89,51 @@ class Words(ExpressionTest):
         files = {"in/x.json": inner.data, "in/parts/a": LEFT.data, "in/../b": SMALL.data}
         self.says("ACCEPT", self.plan((Q(1, 4),) * 3, (Q(3, 4),) * 3, (Q(1, 2), Q(1, 4), Q(1, 4))), files=files)
 
+    def test_boxes_of_two_files_that_touch(self):
+        for tree, word in ((("|", "X", "Y"), "in"), (("&", "X", "Y"), "out"), (("-", "X", "Y"), "on"), (("-", "Y", "X"), "on")):
+            x = forge.Chain(("!", "A"), {"A": SMALL}, {"A": "s"}, BOX)
+            y = forge.Chain(("!", "A"), {"A": block((4, 0, 0), (5, 1, 1))}, {"A": "t"}, ((3, -2, -2), (6, 3, 3)))
+            self.use(tree, box=((-9,) * 3, (9,) * 3), X=x, Y=y)
+            q = 3, Q(1, 2), Q(1, 2)
+            self.assertEqual(self.subject.word(q), word)
+            self.says("ACCEPT", self.plan(q, (3, 3, 3), (3, -1, 0), (-1, 0, 0), (5, 3, 3)), files=self.chain.files())
+
+    def test_an_edge_on_a_face(self):
+        # The edge of a wedge of B lies in the middle of a wedge of A's top.
+        top = Q(1, 2), Q(1, 2), 1
+        points = [(.5, 0, 1), (.5, 1, 1), (0, .5, 2), (1, .5, 2)]
+        for a, b in ((0, 1), (1, 0)):
+            tetrahedron = forge.MeshSolid([], points, forge.oriented(points), random.Random(1), False)
+            operands = [LEFT, tetrahedron]
+            codes = [bytes([forge.ON]) + solid.places(top)[0] for solid in operands]
+            for op, word in ("&", "out"), ("|", "on"), ("-", "on"):
+                self.use((op, "A", "B"), A=operands[a], B=operands[b])
+                self.says("ACCEPT", self.line(top, word, *codes[a], *codes[b]))
+                for other in {"in", "on", "out"} - {word}:
+                    self.alone("P5", self.line(top, other, *codes[a], *codes[b]))
+
+    def test_tetrahedra_with_a_common_vertex(self):
+        rng = random.Random(3)
+        for _ in range(60):
+            operands = {}
+            for name in "ABCD"[:rng.randint(2, 4)]:
+                planes, points = forge.tetrahedron((2, 2, 2), rng.randint(1, 2), rng.randrange(3))
+                move = forge.forge.sub((2, 2, 2), rng.choice(points))
+                points = [tuple(a + b for a, b in zip(p, move)) for p in points]
+                planes = [(n, c + forge.forge.dot(n, move)) for n, c in planes]
+                operands[name] = forge.MeshSolid(planes, points, forge.oriented(points), rng, False)
+            names = sorted(operands)
+            while True:
+                tree = forge.random_tree(rng, names, 3)
+                if set(forge.leaves_of(tree)) == set(names):
+                    break
+            self.use(tree, box=((-9,) * 3, (9,) * 3), **operands)
+            plan = self.plan((2, 2, 2), (2, 2, Q(5, 2)), (Q(5, 2), 2, 2), (Q(3, 2), 2, 2))
+            self.says("ACCEPT", plan)
+            if forge.ON in plan.lines[0].codes[:1]:
+                for word in {"in", "on", "out"} - {plan.lines[0].word}:
+                    self.says("P5", plan.with_line(0, word=word))
+
     def test_random_ones(self):
         for seed in range(25):
             rng = random.Random(seed)
@@ -133,6 +178,57 @@ class Codes(ExpressionTest):
         self.says("ACCEPT", self.line(inside, "in", 6, forge.OPEN))
         self.says("ACCEPT", self.line((1, Q(3, 4), Q(1, 3)), "on", forge.ON, *LEFT.places((1, Q(3, 4), Q(1, 3)))[0]))
 
+        self.use("A", A=LEFT)
+        for word in ("in", "on", "out"):
+            self.says("P5", self.line(inside, word, forge.OPEN))
+            self.says("P5", self.line((0, 0, 0), word, forge.OPEN))
+
+    # PROVES POINT-7
+    def test_walls_that_are_not_flat(self):
+        ball = forge.BallSolid(random.Random(4))
+        for number, entity in enumerate(ball.entities):
+            for at in (Q(1, 2), Q(1, 3)), (Q(1, 2), Q(0)), (Q(1), Q(1, 4)), (Q(0), Q(0)), (Q(1), Q(1)):
+                q = forge.curved.point_at(entity, at)
+                if forge.points_forge.nearest(q[0]) != q[0] or abs(q[0]) == 1:
+                    continue
+                half = block((q[0], -2, -2), (2, 2, 2))
+                self.use(("|", "A", "B"), box=((-3,) * 3, (3,) * 3), A=ball, B=half)
+                codes = bytes([forge.ON]) + forge.place_code(number, at), bytes([forge.ON]) + half.places(q)[0]
+                for word in ("in", "on", "out"):
+                    self.says("P5", self.line(q, word, *codes[0], *codes[1]))
+                self.use("A", box=((-3,) * 3, (3,) * 3), A=ball)
+                self.says("ACCEPT", self.line(q, "on", *codes[0]))
+
+    def test_walls_at_parameters_of_kind_1(self):
+        left = cube((0, 0, 0), 1)
+
+        def code_at(q):
+            number, at = next((n, at) for n, e in enumerate(left.entities) for at in [forge.parameters_of(e, q)] if at)
+            return bytes([forge.ON]) + forge.forge.varint(number) + b"\1" + forge.curved.as_root(at, RNG).bytes()
+
+        for q, is_inside in (((1, Q(1, 2), Q(1, 3)), True), ((1, 0, Q(1, 3)), False), ((1, 1, 1), False)):
+            code = code_at(q)
+            self.use("A", A=left)
+            self.says("ACCEPT", self.line(q, "on", *code))
+            self.use(("|", "A", "B"), A=left, B=RIGHT)
+            for word in ("in", "on", "out"):
+                good = is_inside and word == self.subject.word(q)
+                self.says("ACCEPT" if good else "P5", self.line(q, word, *code, forge.ON, *RIGHT.places(q)[0]))
+
+    def test_a_mesh_that_is_no_solid(self):
+        twice = block((0, 0, 0), (1, 1, 1))
+        twice.model = twice.model.copy(tris=2 * twice.model.tris)
+        twice.mesh, twice.data = forge.forge.mesh_of(twice.model), twice.model.encode()
+        q, found = (1, 0, Q(1, 2)), []
+        for apex in (0, -1, .5), (1.5, .5, .5):               # of a tetrahedron that touches an edge of A from outside
+            points = [(1, 0, 0), (1, 0, 1), apex, ((apex[0] + 1.25) / 2, (apex[1] - .25) / 2, .5)]
+            b = forge.MeshSolid([], points, forge.oriented(points), random.Random(1), False)
+            self.use(("&", "A", "B"), A=twice, B=b)
+            codes = b"".join(bytes([forge.ON]) + solid.places(q)[0] for solid in (twice, b))
+            found += [self.ask(self.line(q, word, *codes)) for word in ("in", "on", "out")]
+        self.assertTrue(any("not closed" in message for code, message in found), found)
+        self.says("P4", self.line((Q(1, 4),) * 3, "in", 6))
+
     def test_points_that_are_not_covered_are_counted(self):
         self.use(("|", "A", "B"), A=LEFT, B=SMALL)
         lie = self.line((Q(1, 4),) * 3, "out", forge.NOT_COVERED)
@@ -150,6 +246,19 @@ class Codes(ExpressionTest):
         self.says("ACCEPT", self.plan((0, 0, 0), (Q(1, 2), 0, 0), (Q(1, 2), Q(1, 2), 0), (14, 1, 1)))
         wrong = self.plan((0, 0, 0))
         self.alone("P5", wrong.with_line(0, word="in"))
+
+
+class Lines(ExpressionTest):
+    def test_expressions_have_neither_shells_nor_winding_numbers(self):
+        self.use("A", A=LEFT)
+        plan = self.line((Q(1, 4),) * 3, "in", 6)
+        for shell in ("0", "7"):
+            other = plan.copy()
+            other.answers = lambda shell=shell: plan.answers()[:-2] + shell.encode() + b"\n"
+            self.says("A2", other)
+        self.says("A2", plan.copy(values={"winding": True}))
+        self.alone("A2", self.plan().copy(values={"winding": True}))
+        self.says("ACCEPT", plan.copy(lines=[plan.lines[0].changed(word="undecided")]))
 
 
 class Files(ExpressionTest):
@@ -256,6 +365,18 @@ class Work(ExpressionTest):
             self.use(("|", "A", "B"), box=((-2000,) * 3, (2000,) * 3), A=a, B=b)
             codes = b"".join(bytes([forge.ON]) + solid.places((0, 0, 9))[0] for solid in (a, b))
             self.says(expected, self.line((0, 0, 9), "on", *codes))
+
+    def test_a_long_expression_of_many_solids_at_a_point(self):
+        names = "ABCDEFGHIJKLMN"
+        blocks = {name: block((0, 0, 0), (1 + i, 1, 1)) for i, name in enumerate(names)}
+        tree = names[0]
+        for name in names[1:]:
+            tree = "|", tree, name
+        for repeated, expected in ((700, "B1"), (1, "ACCEPT")):
+            self.use(tree, box=((-1, -1, -1), (20, 3, 3)), **blocks)
+            self.chain.changed = {"expression": " | ".join(list(names) * repeated)}
+            plan = self.plan(*[(0, 0, 0)] * 6)
+            self.says(expected, plan.copy(counts={"leaves": 14 * repeated}))
 
 
 if __name__ == "__main__":

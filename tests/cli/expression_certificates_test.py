@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Certificates of answers about expressions: made by veritope classify, accepted by both checkers, and by neither if anything is changed."""
 import json
+import os
 import pathlib
+import random
 import re
 import sys
 import unittest
@@ -11,6 +13,7 @@ import support
 from support import BIN, MODELS, run
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "mutation"))
+import expression_forge  # noqa: E402
 import patch_points_forge  # noqa: E402
 
 CUBE = MODELS / "patches" / "cube.itd"
@@ -53,7 +56,8 @@ class Certificates(boolean_test.Expressions):
 
     def test_spline_operands_and_nested_files(self):
         self.boolean("A - C", "A=a.off", "C=c.off", "-o", "inner.json")
-        self.assertEqual(self.answer("X | S | X", "X=inner.json", f"S={CUBE}")["certificate"]["uncovered"], 0)
+        volumes = MODELS / "splines" / "two_cubes.mesh"       # by its boundary faces
+        self.assertEqual(self.answer("X | S | X - V", "X=inner.json", f"S={CUBE}", f"V={volumes}")["certificate"]["uncovered"], 0)
         self.check(0, "8 points")
         self.change("inner.json", ("A - C", "C - A"))
         self.check(1, "O1")
@@ -67,6 +71,26 @@ class Certificates(boolean_test.Expressions):
         self.check(0, "1 not covered")
         self.change("answers", ("0 3/5 4/5 on - -", "0 3/5 4/5 in 1 -"))   # of this one nothing is claimed, but the file is another
         self.check(1, "A1")
+
+    def test_random_expressions(self):
+        """All words are those of an oracle that knows neither rays nor wedges, and all are covered."""
+        first, count = int(os.environ.get("VT_TEST_SEED", "0")), 12 * int(os.environ.get("VT_TEST_SCALE", "1"))
+        for seed in range(first, first + count):
+            rng = random.Random(seed)
+            subject = expression_forge.random_subject(rng)
+            points = list(expression_forge.interesting(subject, rng, 60))
+            for name, data in {"e.json": subject.chain.data, **subject.chain.files()}.items():
+                path = self.folder / str(seed) / name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(data)
+            files = [f"{seed}/{name}" for name in ("e.json", "words.cert", "words.txt")]
+            self.file(f"{seed}/points.txt", "".join("%s %s %s\n" % tuple(q) for q in points))
+            done = run("classify", files[0], f"{seed}/points.txt", "-o", files[2], "--certificate", files[1], *["--as-indexed"] * subject.as_indexed, cwd=self.folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), seed)
+            words = [line.split()[3] for line in (self.folder / files[2]).read_text().splitlines()]
+            self.assertEqual(words, [subject.word(q) for q in points], seed)
+            self.check(0, "points-1: 60 points", *files)
+            self.check(0, " 0 not covered", *files)
 
     def test_points_need_at_most_a_few_bytes(self):
         points = ["%d/7 %d/11 %d/13" % (i % 20 - 3, i // 20 % 20, i % 17) for i in range(2000)]
@@ -92,6 +116,15 @@ class Certificates(boolean_test.Expressions):
         self.check(4, "a.off")
         (self.folder / "a.off").mkdir()
         self.check(4, "is not a regular file")
+
+    def test_an_output_is_no_operand(self):
+        self.boolean("A | B", "A=a.off", "B=b.off", "-o", "e.json")
+        self.file("points.txt", "0 0 0\n")
+        for options in ("-o", "a.off"), ("-o", "x", "--certificate", "./b.off"), ("-o", "x", "--json", "b.off"):
+            done = run("classify", "e.json", "points.txt", *options, cwd=self.folder)
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(done.stderr, "the output (./)?[ab].off is the input [ab].off")
+        self.assertEqual((self.folder / "a.off").read_text(), boolean_test.box((0, 0, 0), (1, 1, 1)))
 
     def test_the_checkers_read_operands_beside_the_file_from_elsewhere(self):
         self.answer("A | B", "A=a.off", "B=b.off")

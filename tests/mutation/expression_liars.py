@@ -342,6 +342,8 @@ def wrong_numbers(rng):
             yield "wrong_number", *case.with_answers(plan.copy(counts={key: true + step}))
     heads = b"".join(solid.head() for solid in case.subject.solids)
     at = rng.randrange(len(heads))
+    for key in ("on", "undecided"):
+        yield "wrong_number", *case.with_answers(plan.copy(values={key: len(plan.lines) + 1}))
     for changes in ({"extra": rng.choice((b"\0", b"\xff", bytes(9)))}, {"magic": b"VTMV"}, {"heads": heads[:at] + bytes([heads[at] ^ 1]) + heads[at + 1:]},
                     {"heads": heads[:at] + heads[at + 1:]}, {"values": {"winding": True}}, {"values": {"points": len(plan.lines) + 1}},
                     {"claimed_answers": plan.answers() + plan.lines[0].text().encode()}):

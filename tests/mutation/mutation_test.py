@@ -17,6 +17,7 @@ import unittest.mock
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import attacks                                            # noqa: E402
 import differential                                       # noqa: E402
+import expression_liars                                   # noqa: E402
 import points_liars                                       # noqa: E402
 import reversed_liars                                     # noqa: E402
 import time_limit                                         # noqa: E402
@@ -84,6 +85,28 @@ class PointsMutationTest(WithBothCheckers):
     def test_honest_certificates_are_accepted(self):
         for seed in range(25):
             for name, case, cert in points_liars.honest(random.Random(seed)):
+                self.run_.accept(name, case, cert, seed)
+        self.assertEqual(self.run_.failures, [])
+
+
+class ExpressionMutationTest(WithBothCheckers):
+    kind = expression_liars.Run
+
+    # PROVES POINT-6
+    def test_no_false_claim_is_accepted_and_every_condition_is_needed(self):
+        liars = expression_liars
+        for source, seeds in ((liars.false_lines, 8), (liars.other_files, 6), (liars.changed_files, 3), (liars.narrow_boxes, 12), (liars.split_variables, 3),
+                              (liars.open_meshes, 8), (liars.curved_walls, 12), (liars.wrong_numbers, 2), (liars.shells, 1), (liars.too_much_work, 1)):
+            for seed in range(seeds):
+                for name, case, cert in source(random.Random(seed)):
+                    self.run_.attack(name, case, cert, seed)
+        self.assertEqual(self.run_.failures, [])
+        self.assertEqual(liars.missing_conditions(self.run_.alone), [])
+        self.assertGreaterEqual(len({n for n, _ in self.run_.table}), 15)
+
+    def test_honest_certificates_are_accepted(self):
+        for seed in range(25):
+            for name, case, cert in expression_liars.honest(random.Random(seed)):
                 self.run_.accept(name, case, cert, seed)
         self.assertEqual(self.run_.failures, [])
 

@@ -110,12 +110,30 @@ def assert_every_claim(test, veritope, checkers, folder):
                 damaged.write_bytes(certificate.read_bytes()[:-1])
                 test.assertEqual(output_of(*checker, subject, damaged, *answers)[0], 1, checker)
     assert_every_format(test, veritope, checkers, folder)
+    assert_expression(test, veritope, checkers, folder)
+
+
+def assert_expression(test, veritope, checkers, folder):
+    """Answers about a chain file, whose format only this claim has: the checkers read the operand beside it."""
+    operand, chain, points, answers, certificate = (folder / f"expression.{end}" for end in ("off", "json", "points", "answers", "cert"))
+    operand.write_bytes((MODELS / "valid_frame.off").read_bytes())
+    points.write_text(POINTS["points-1"])
+    for command in (("boolean", "--no-check", "!A & A", f"A={operand}", "-o", chain),
+                    ("classify", "--no-check", chain, points, "-o", answers, "--certificate", certificate)):
+        status, text = output_of(veritope, *command)
+        test.assertEqual(status, 0, text)
+    for checker in checkers:
+        status, text = output_of(*checker, chain, certificate, answers)
+        test.assertEqual((status, text.split(":")[0].strip()), (0, "ACCEPT points-1"), f"{checker}: {text}")
+    operand.write_bytes(operand.read_bytes() + b"\n")
+    for checker in checkers:
+        test.assertEqual(output_of(*checker, chain, certificate, answers)[0], 1, checker)
 
 
 def formats_of(checker):
     """The formats of spline models that a checker prints for --claims."""
     lists = [line.split(" ")[2].split(",") for line in output_of(*checker, "--claims")[1].splitlines()]
-    return {name for names in lists if "vjson" in names for name in names} - {"stl", "obj", "ply", "off"}
+    return {name for names in lists if "vjson" in names for name in names} - {"stl", "obj", "ply", "off", "chain"}
 
 
 def assert_every_format(test, veritope, checkers, folder):

@@ -33,7 +33,7 @@ struct Knowledge {
   bool is_on = false;  // on its boundary; otherwise, if the value is mixed, nothing is known
   RayDirection ray;    // if the value is 0 or 1
   std::uint32_t facet = 0;
-  std::optional<std::variant<certificate::PointOnPatch, certificate::AlgebraicPointOnPatch>> place;
+  std::optional<CertifiedPlace> place;
 };
 
 struct CertifiedPoint {
@@ -93,8 +93,7 @@ class CertifiedSolid {
   // The number of wedges into which checkers cut the walls at a point on them, or more; nothing if these are not all
   // flat, or not known as exact numbers.
   std::optional<std::uint64_t> num_wedges(const Knowledge& known, const ExactPoint& p) const {
-    if (known.place && !std::holds_alternative<certificate::PointOnPatch>(*known.place))
-      return std::nullopt;
+    if (known.place && !known.place->is_located) return std::nullopt;
     const std::optional<TangentCone> cone = solid_.operand->tangent_cone(p);
     if (!cone || !cone->is_flat) return std::nullopt;
     // Checkers take no wedge at a collapsed side.
@@ -123,7 +122,7 @@ void add_code(const Knowledge& known, bool is_mesh, certificate::ExpressionCodes
   else if (is_mesh)
     codes.add_on(known.facet);
   else
-    std::visit([&](const auto& place) { codes.add_on(place); }, *known.place);
+    std::visit([&](const auto& place) { codes.add_on(place); }, known.place->code);
 }
 
 }  // namespace
@@ -243,8 +242,10 @@ class ExpressionPointsCertifier::Body {
       wedges += more.value_or(0);
     }
     constexpr std::uint64_t kMany = 1000;
-    out.wedge_units =
-        wedges < kMany ? wedges * wedges + wedges * wedges * wedges / 32 : kMostWedgeUnits + 1;
+    const std::uint64_t evaluations = is_tabulated ? 1 : 1 + num_leaves_ / 64;
+    out.wedge_units = wedges < kMany
+                          ? (wedges * wedges + wedges * wedges * wedges / 32) * evaluations
+                          : kMostWedgeUnits + 1;
   }
   static std::vector<std::uint32_t> support_of(const Formula& formula) {
     const auto diagram = DecisionDiagram::make(formula, std::size_t{1} << (kMostTabulated + 1));

@@ -73,7 +73,7 @@ class PatchPointsCertifier::Body {
     VT_CHECK(where.has_value(), "a point on a patch has parameters");
     ++num_on_;
     if (const auto place = place_on_patch(*patches_.complex, *where))
-      std::visit([&](const auto& p) { codes_.add(p); }, *place);
+      std::visit([&](const auto& p) { codes_.add(p); }, place->code);
     else
       ++num_irrational_;
   }

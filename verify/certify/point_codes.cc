@@ -51,6 +51,49 @@ Box3d box_of(const PatchComplex& complex) {
   return out;
 }
 
+using Polynomial = std::vector<Rational>;  // the constant coefficient first
+
+// Whether all Bernstein coefficients on [lo, hi] are positive.
+bool is_positive_between(const Polynomial& p, const Rational& lo, const Rational& hi) {
+  const std::size_t n = p.size() - 1;
+  Polynomial moved(n + 1);  // p(lo + (hi - lo) x), by Horner's scheme
+  for (std::size_t k = n + 1; k-- > 0;) {
+    for (std::size_t i = n + 1; i-- > 0;)
+      moved[i] = lo * moved[i] + (i > 0 ? (hi - lo) * moved[i - 1] : Rational(0));
+    moved[0] += p[k];
+  }
+  // Coefficient i is the sum of C(i, k) / C(n, k) times that of x^k.
+  for (std::size_t i = 0; i <= n; ++i) {
+    Rational sum, factor(1);
+    for (std::size_t k = 0; k <= i; ++k) {
+      sum += factor * moved[k];
+      if (k < i)
+        factor *=
+            Rational(static_cast<std::int64_t>(i - k)) / Rational(static_cast<std::int64_t>(n - k));
+    }
+    if (sum.sign() <= 0) return false;
+  }
+  return true;
+}
+
+Polynomial difference(Polynomial a, const Polynomial& b) {
+  a.resize(std::max(a.size(), b.size()));
+  for (std::size_t i = 0; i < b.size(); ++i) a[i] -= b[i];
+  return a;
+}
+
+// What the page calls U, V, and what else is positive in the interior of the domain.
+bool is_inside_domain(const PrimitivePair& pair, bool is_triangle) {
+  const Polynomial one{Rational(1)};
+  std::vector<Polynomial> all{pair.numbers[0], pair.numbers[1], difference(one, pair.numbers[0])};
+  if (is_triangle)
+    all.back() = difference(all.back(), pair.numbers[1]);
+  else
+    all.push_back(difference(one, pair.numbers[1]));
+  return std::ranges::all_of(
+      all, [&](const Polynomial& p) { return is_positive_between(p, pair.lo, pair.hi); });
+}
+
 std::vector<certificate::Fraction> fractions(const std::vector<Rational>& polynomial) {
   std::vector<certificate::Fraction> out;
   for (const Rational& x : polynomial) out.push_back(to_fraction(x));
@@ -101,15 +144,16 @@ std::uint8_t PatchDirections::from(const Vec3d& p) const {
   return out;
 }
 
-std::optional<std::variant<certificate::PointOnPatch, certificate::AlgebraicPointOnPatch>>
-place_on_patch(const PatchComplex& complex, const OnPatch& where) {
+std::optional<CertifiedPlace> place_on_patch(const PatchComplex& complex, const OnPatch& where) {
   // The certificate has barycentric coordinates of triangles.
   const bool is_triangle = complex.patch(where.patch).is_triangle();
   if (where.parameters.is_rational()) {
     const Rational &u = where.parameters[0].lo, &v = where.parameters[1].lo;
-    return certificate::PointOnPatch{where.patch,
-                                     {to_fraction(is_triangle ? u * (Rational(1) - v) : u),
-                                      to_fraction(is_triangle ? u * v : v)}};
+    return CertifiedPlace{
+        certificate::PointOnPatch{where.patch,
+                                  {to_fraction(is_triangle ? u * (Rational(1) - v) : u),
+                                   to_fraction(is_triangle ? u * v : v)}},
+        true};
   }
   std::optional<PrimitivePair> pair = primitive_pair(where.parameters);
   if (!pair) return std::nullopt;
@@ -122,11 +166,12 @@ place_on_patch(const PatchComplex& complex, const OnPatch& where) {
     u = product_modulo(u, rest, pair->modulus);
     v = std::move(second);
   }
-  return certificate::AlgebraicPointOnPatch{
-      where.patch,
-      fractions(pair->modulus),
-      {to_fraction(pair->lo), to_fraction(pair->hi)},
-      {fractions(pair->numbers[0]), fractions(pair->numbers[1])}};
+  return CertifiedPlace{certificate::AlgebraicPointOnPatch{
+                            where.patch,
+                            fractions(pair->modulus),
+                            {to_fraction(pair->lo), to_fraction(pair->hi)},
+                            {fractions(pair->numbers[0]), fractions(pair->numbers[1])}},
+                        is_inside_domain(*pair, is_triangle)};
 }
 
 }  // namespace veritope

@@ -44,8 +44,14 @@ class PatchDirections {
   Box3d box_;  // approximately
 };
 
+struct CertifiedPlace {
+  std::variant<certificate::PointOnPatch, certificate::AlgebraicPointOnPatch> code;
+  /// Checkers know at which face, edge or vertex of the complex it is: the parameters are rational, or checkers see
+  /// that they are in the interior of the patch's domain.
+  bool is_located = true;
+};
+
 /// Nothing for irrational parameters for which no common generator was found.
-std::optional<std::variant<certificate::PointOnPatch, certificate::AlgebraicPointOnPatch>>
-place_on_patch(const PatchComplex& complex, const OnPatch& where);
+std::optional<CertifiedPlace> place_on_patch(const PatchComplex& complex, const OnPatch& where);
 
 }  // namespace veritope

@@ -114,9 +114,9 @@ Big binomial(int n, int k) {
   for (int i = 0; i < k; ++i) r = divide(r * Big(n - i), Big(i + 1), nullptr);
   return r;
 }
-// Whether all Bernstein coefficients on [a, b] are >= 0. By the polar form f of p: coefficient i is f of n - i times a
-// and i times b, where t^k has the elementary symmetric function k, divided by its number of terms.
-bool is_not_negative(const RationalPoly& p, const Ratio& a, const Ratio& b) {
+// Whether all Bernstein coefficients on [a, b] have at least this sign. By the polar form f of p: coefficient i is f
+// of n - i times a and i times b, where t^k has the elementary symmetric function k, divided by its number of terms.
+bool has_least_sign(const RationalPoly& p, const Ratio& a, const Ratio& b, int least) {
   const int n = int(p.c.size()) - 1;
   const std::vector<Big> c = Residues::integers(p).c;
   const Big unit = a.d * b.d, from = a.n * b.d, to = b.n * a.d;  // of both ends, times unit
@@ -133,7 +133,7 @@ bool is_not_negative(const RationalPoly& p, const Ratio& a, const Ratio& b) {
     Big value;
     for (int k = 0; k <= n; ++k)
       value = value + c[size_t(k)] * e[size_t(k)] * divide(terms, binomial(n, k), nullptr);
-    if (value.sign() < 0) return false;
+    if (value.sign() < least) return false;
   }
   return true;
 }
@@ -174,15 +174,18 @@ uint64_t Algebraic::units(const Grid& grid, const RationalPoint& q) const {
   return 16 + uint64_t(u128(grid.count() + 4 * grid.degrees()) * size() * size() * h * h >> 22);
 }
 
+bool Algebraic::is_in_domain(bool of_triangle, int least) const {
+  const RationalPoly not_u = difference(one(), u), not_v = difference(one(), v);
+  return has_least_sign(u, a, b, least) && has_least_sign(v, a, b, least) &&
+         (of_triangle ? has_least_sign(difference(not_u, v), a, b, least)
+                      : has_least_sign(not_u, a, b, least) && has_least_sign(not_v, a, b, least));
+}
+
 const char* Algebraic::why_not_on(const Grid& grid, const RationalPoint& q) const {
   if (sign_at(modulus, a) * sign_at(modulus, b) >= 0) return "no root of the polynomial is shown";
   const RationalPoly not_u = difference(one(), u), not_v = difference(one(), v),
                      rest = difference(not_u, v);
-  const bool is_inside =
-      is_not_negative(u, a, b) && is_not_negative(v, a, b) &&
-      (grid.is_triangle ? is_not_negative(rest, a, b)
-                        : is_not_negative(not_u, a, b) && is_not_negative(not_v, a, b));
-  if (!is_inside) return "the parameters may leave the domain";
+  if (!is_in_domain(grid.is_triangle, 0)) return "the parameters may leave the domain";
 
   const Residues ring(modulus);
   const int p = grid.shape.p;

@@ -16,6 +16,8 @@ struct Algebraic {  // U(t), V(t) at a root t of `modulus` in [a, b]
   uint64_t units(const Grid& grid, const RationalPoint& q) const;
   // Why P2 does not hold; null if it does.
   const char* why_not_on(const Grid& grid, const RationalPoint& q) const;
+  // Whether the Bernstein coefficients of P2 have this sign, 0 or 1, or a greater one.
+  bool is_in_domain(bool of_triangle, int least_sign) const;
 
  private:
   uint64_t size() const;  // the greatest degree plus 1

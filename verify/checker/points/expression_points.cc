@@ -228,7 +228,8 @@ class ExpressionCheck {
         throw Rejected{"P5", "a wall there is not flat" + q.where};
       n += cones.back().size();
     }
-    const uint64_t units = n < 1000 ? n * n + n * n * n / 32 : kMostWedgeUnits + 1;
+    const uint64_t evaluations = met_.size() > kMostTable ? 1 + e_.leaves / 64 : 1;
+    const uint64_t units = n < 1000 ? (n * n + n * n * n / 32) * evaluations : kMostWedgeUnits + 1;
     require(units <= kMostWedgeUnits && units <= wedge_units_, "B1",
             "more work than allowed, wedges", n);
     wedge_units_ -= units;

@@ -182,8 +182,14 @@ class PatchCone {
 
 bool find_patch_cone(const PatchSurface& surface, const RationalPoint& q, const PlaceOnPatch& place,
                      PointUnits* units, Cone* cone) {
-  if (place.algebraic != nullptr) return false;
   const Patch& patch = surface.patches()[size_t(place.patch)];
+  if (place.algebraic != nullptr) {  // the middle stands for other places inside
+    if (!place.algebraic->is_in_domain(patch.shape.is_triangle, 1)) return false;
+    PlaceOnPatch middle;
+    middle.patch = place.patch;
+    middle.at[0] = middle.at[1] = Ratio(1, patch.shape.is_triangle ? 3 : 2);
+    return PatchCone(surface, q, middle, units, cone).add(place_in(patch, middle.at));
+  }
   const DomainPoint at = place_in(patch, place.at);
   std::vector<int> sides;
   for (int e = 0; e < patch.shape.sides(); ++e)

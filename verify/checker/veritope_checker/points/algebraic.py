@@ -49,14 +49,18 @@ class Algebraic:
         """Why P2 does not hold."""
         if value(self.modulus, self.a) * value(self.modulus, self.b) >= 0:
             return "no root of the polynomial is shown"
-        one = [Fraction(1)]
-        rest = difference(one, self.u)
-        others = [rest, difference(one, self.v)] if grid.is_tensor else [difference(rest, self.v)]
-        if any(c < 0 for p in (self.u, self.v, *others) for c in bernstein(p, self.a, self.b)):
+        if min(self.distances(grid.is_tensor)) < 0:
             return "the parameters may leave the domain"
         for k, n in enumerate(point.n):
             if any(self.at_parameters(grid, lambda c, k=k, n=n: point.d * c[k] - n * c[3])):
                 return "another point at the parameters"
+
+    def distances(self, is_tensor):
+        """The Bernstein coefficients of what is >= 0 in the domain."""
+        one = [Fraction(1)]
+        rest = difference(one, self.u)
+        others = [rest, difference(one, self.v)] if is_tensor else [difference(rest, self.v)]
+        return [c for p in (self.u, self.v, *others) for c in bernstein(p, self.a, self.b)]
 
     def at_parameters(self, grid, component):
         """A component of R at the parameters, modulo the polynomial."""

@@ -28,7 +28,7 @@ class Check:
     def __init__(self, claim, statement, data, model, skip, name, read):
         self.skip, self.statement = skip, statement
         expression = Expression(model, name, read, skip)
-        self.root, self.body = expression.root, Body(data)
+        self.root, self.leaves, self.body = expression.root, expression.leaves, Body(data)
         self.not_covered = self.read_head(claim, expression)
         self.budget = Budget()
         makers = {True: MeshPart, False: PatchPart}
@@ -134,7 +134,7 @@ class Check:
             cones.append(on[v]())
             if cones[-1] is None:
                 return self.fail("P5", "%sa wall is not flat there" % at.where)
-        self.spend_wedges(sum(map(len, cones)), at)
+        self.spend_wedges(sum(map(len, cones)), 1 if len(met) <= MOST_TABLE else 1 + self.leaves // 64, at)
         try:
             found = values_nearby(cones, f)
         except Fault as e:
@@ -150,8 +150,8 @@ class Check:
                         lambda v, bit: v == (ones if bit else 0),
                         lambda op, a, b: a | b if op == "|" else a & b if op == "&" else a & ~b)
 
-    def spend_wedges(self, n, at):
-        units = n * n + n ** 3 // 32
+    def spend_wedges(self, n, evaluations, at):
+        units = (n * n + n ** 3 // 32) * evaluations
         self.budget.wedges -= units
         if (units > MOST_WEDGE_UNITS or self.budget.wedges < 0) and "B1" not in self.skip:
             raise Reject("B1", "%smore work than allowed: %d wedges" % (at.where, n))

@@ -12,8 +12,11 @@ TRIANGLE = (0, 0), (1, 0), (0, 1)                           # barycentric coordi
 
 def cone_at(model, point, patch, at, work):
     """The wedges, or None if the walls there are not flat.  at: the place of the point's code.  Spends work."""
-    if isinstance(at, Algebraic):
-        return None
+    if isinstance(at, Algebraic):                           # the middle stands for other places inside
+        is_tensor = model.patches[patch].is_tensor
+        if min(at.distances(is_tensor)) <= 0:
+            return None
+        at = (Fraction(1, 2 if is_tensor else 3),) * 2
     cone = []
     for number, place in places(model, patch, tuple(at)):
         if number is None:

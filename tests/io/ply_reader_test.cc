@@ -445,7 +445,7 @@ TEST(PlyReader, HasNoNormalsWithoutAllThreeOfThem) {
   const std::string three = two + "property float nz\n";
   EXPECT_EQ(outcome(ply(ascii(three + kFaces, "0 0 0 1 1 1\n1 0 0 1 nan 1\n0 1 0 1 1 1\n3 0 1 2\n"),
                         with)),
-            "not-finite@13");
+            "not-finite@14");
   EXPECT_EQ(
       outcome(ply(ascii(three + kFaces, "0 0 0 1 1 1\n1 0 0 1 nan 1\n0 1 0 1 1 1\n3 0 1 2\n"))),
       "ok");

@@ -24,7 +24,7 @@ Result<Image> cast_solid(const SolidProbe& solid, const Box3d& bounds,
                          const PictureOptions& options, WorkShare* work = nullptr);
 
 /// The marks of a grid as balls, as large as the grid's box fits. Those farther back are paler. Same pixels as above.
-/// @error as cast_solid
+/// @error kBadArgument: see check_picture_options
 Result<Image> draw_point_grid(const PointGrid& grid, const PictureOptions& options,
                               WorkShare* work = nullptr);
 

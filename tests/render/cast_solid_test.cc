@@ -89,6 +89,23 @@ TEST(DrawPointGrid, NearBallsHideFarOnes) {
   EXPECT_EQ(draw_point_grid(one, options)->pixels, draw_point_grid(line, options)->pixels);
 }
 
+// The size of the box and its place do not matter.
+TEST(DrawPointGrid, BoxesMayBeBeyondBinary64) {
+  std::vector<Image> images;
+  for (const int exponent : {0, 2000, -3000}) {
+    ExactBox<3> bounds = ExactBox<3>::unit();
+    const Rational scale = Rational::power_of_two(exponent);
+    for (ExactInterval& side : bounds.side) side = {Rational(5) * scale, Rational(6) * scale};
+    bounds[1].hi = Rational(11) / Rational(2) * scale;
+    PointGrid grid(bounds, 6);
+    for (std::uint32_t i = 0; i < 6; ++i) grid.set(i, i, 5 - i, GridMark::kIn);
+    images.push_back(*draw_point_grid(grid, small_picture()));
+  }
+  EXPECT_LT(count_of(images[0], kWhite), images[0].pixels.size());
+  EXPECT_EQ(images[0].pixels, images[1].pixels);
+  EXPECT_EQ(images[0].pixels, images[2].pixels);
+}
+
 TEST(DrawPointGrid, AnEmptyGridIsWhite) {
   const PointGrid grid(ExactBox<3>::unit(), 4);
   const Image image = *draw_point_grid(grid, small_picture());

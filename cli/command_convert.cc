@@ -146,8 +146,12 @@ void report(const ConvertOptions& o, const MeshFile& file, const std::string& lo
 ExitCode run(const ConvertOptions& options, StandardOutput& out) {
   if (is_folder_of_models(options.output))
     return fail(bad_argument("OUT names the new file, and " + options.output + " is a folder"));
-  ModelInput input(options.input.files[0], options.input.reading);
+  ModelReadOptions reading = options.input.reading;
+  reading.with_normals = options.pn;
+  ModelInput input(options.input.files[0], reading);
   const ModelKind kind = input.kind();
+  if (options.pn && kind != ModelKind::kMesh) return fail(bad_argument("--pn is for meshes"));
+  if (options.pn) return convert_to_pn(input, options, out);
   if (kind == ModelKind::kSplines) return convert_splines(input, options, out);
   if (kind != ModelKind::kMesh)
     return fail(Error{
@@ -191,6 +195,7 @@ void declare(OptionSet& set, ConvertOptions& o) {
   set.length("--chord", "H", o.chord, "splines in obj, gltf: the distance of chords to aim at");
   set.flag("--float", o.single_precision, "binary PLY with binary32 coordinates");
   set.flag("--faces", o.faces, "write the boundary of spline volumes as surfaces");
+  set.flag("--pn", o.pn, "write a mesh as smooth Bezier triangles: PN-triangles");
   set.flag("--rejoin", o.rejoin, "cut sides of splines at T-junctions, exactly");
   set.flag("--lossy", o.lossy, "round or renumber where necessary, and say how much");
   declare_jobs(set, o.input.reading.jobs);

@@ -182,7 +182,7 @@ class RenderRun {
     progress_.phase(shown_path(path()), "classifying");
     const PointGrid grid =
         classify_grid(solid, report_.bounds, options_.grid, look.jobs, &progress_.work());
-    RenderReport::Grid& counts = report_.grid.emplace();
+    GridCounts& counts = report_.grid.emplace();
     counts.n = grid.n();
     counts.in = grid.count(GridMark::kIn);
     counts.on = grid.count(GridMark::kOn);

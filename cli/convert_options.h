@@ -14,6 +14,7 @@ struct ConvertOptions {
   std::optional<std::string> to;
   bool single_precision = false, lossy = false;
   bool faces = false;           ///< write the boundary of volumes
+  bool pn = false;              ///< write PN-triangles of a mesh
   bool rejoin = false;          ///< cut splines at T-junctions
   std::optional<double> chord;  ///< for splines written as obj or gltf
 };

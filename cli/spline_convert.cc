@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <variant>
 
 #include "cli/output_plan.h"
 #include "io/formats.h"
+#include "io/pn_model.h"
 #include "io/splines/patch_model.h"
 #include "io/splines/rejoin.h"
 #include "io/splines/volume_faces.h"
@@ -163,47 +165,43 @@ ExitCode finish(const ConvertOptions& o, const SplineFile& file, const std::stri
   return kExitValid;
 }
 
-}  // namespace
-
-ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, StandardOutput& out) {
+// After what is wrong with the options and the output was looked for.
+Result<Target> ready_target(const ConvertOptions& options) {
   const Result<Target> target = target_of(options);
-  if (!target) return fail(target.error());
+  if (!target) return target.error();
   const auto* const view = std::get_if<ViewFormat>(&*target);
   if (options.chord && (view == nullptr || *view == ViewFormat::kVtu))
-    return fail(bad_argument("--chord is for obj and gltf"));
-  if (options.single_precision) return fail(bad_argument("--float is for binary PLY"));
+    return bad_argument("--chord is for obj and gltf");
+  if (options.single_precision) return bad_argument("--float is for binary PLY");
   if (const Status status = refuse_same(options.input.files, options.output); !status)
-    return fail(status.error());
-  if (const Status status = try_output(options.output); !status) return fail(status.error());
-  Result<ModelFile> model = input.take();
-  if (!model) return fail(model.error());
-  SplineFile* const file = &std::get<SplineFile>(*model);
-  auto [lost, dropped] = left_out(*file);
-  if (options.faces)
-    if (const Status status = take_faces(*file, options.input.files[0], lost, dropped); !status)
-      return fail(status.error());
-  std::string joints;
-  if (options.rejoin)
-    if (const Status status = rejoin(*file, options, *target, joints); !status)
-      return fail(status.error());
+    return status.error();
+  if (const Status status = try_output(options.output); !status) return status.error();
+  return target;
+}
+
+// Writes the model, unless that would lose something. `lost`, `dropped`: what is lost or left out already.
+ExitCode write_splines(const SplineFile& file, const ConvertOptions& options, const Target& target,
+                       std::vector<std::string> lost, std::vector<std::string> dropped,
+                       const std::string& joints, StandardOutput& out) {
+  const auto* const view = std::get_if<ViewFormat>(&target);
   if (view != nullptr) {
-    const std::vector<std::string> otherwise = shown_otherwise(file->model);
+    const std::vector<std::string> otherwise = shown_otherwise(file.model);
     lost.insert(lost.end(), otherwise.begin(), otherwise.end());
-    const Result<std::string> bytes = view_bytes(file->model, *view, {options.chord});
+    const Result<std::string> bytes = view_bytes(file.model, *view, {options.chord});
     if (!bytes) return fail(bytes.error());
-    if (bytes->empty() || file->model.entities.empty()) {
+    if (bytes->empty() || file.model.entities.empty()) {
       Error error{Code::kEmpty, {}, "not written, there is nothing to show"};
       error.place.file = options.output;
       if (!lost.empty()) error.message += " but what is not read: " + joined(lost);
       return fail(error);
     }
     if (!lost.empty() && !options.lossy) return refuse_loss(options, lost, "");
-    return finish(options, *file, *bytes, joined(lost), joined(dropped), true, joints, out);
+    return finish(options, file, *bytes, joined(lost), joined(dropped), true, joints, out);
   }
-  const SplineFormat format = std::get<SplineFormat>(*target);
+  const SplineFormat format = std::get<SplineFormat>(target);
   const ReadLimits& limits = options.input.reading.limits;
-  const std::string bytes = spline_bytes(file->model, format, limits);
-  const SplineLoss loss = spline_loss(file->model, format, bytes, limits);
+  const std::string bytes = spline_bytes(file.model, format, limits);
+  const SplineLoss loss = spline_loss(file.model, format, bytes, limits);
   if (loss.unreadable) {
     Error error = *loss.unreadable;
     error.place.file = options.output;
@@ -215,7 +213,48 @@ ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, Stand
   dropped.insert(dropped.end(), loss.dropped.begin(), loss.dropped.end());
   if (!lost.empty() && !options.lossy)
     return refuse_loss(options, lost, loss.shapes.empty() ? "" : "; --to vjson keeps every spline");
-  return finish(options, *file, bytes, joined(lost), joined(dropped), false, joints, out);
+  return finish(options, file, bytes, joined(lost), joined(dropped), false, joints, out);
+}
+
+}  // namespace
+
+ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, StandardOutput& out) {
+  const Result<Target> target = ready_target(options);
+  if (!target) return fail(target.error());
+  Result<ModelFile> model = input.take();
+  if (!model) return fail(model.error());
+  SplineFile* const file = &std::get<SplineFile>(*model);
+  auto [lost, dropped] = left_out(*file);
+  if (options.faces)
+    if (const Status status = take_faces(*file, options.input.files[0], lost, dropped); !status)
+      return fail(status.error());
+  std::string joints;
+  if (options.rejoin)
+    if (const Status status = rejoin(*file, options, *target, joints); !status)
+      return fail(status.error());
+  return write_splines(*file, options, *target, std::move(lost), std::move(dropped), joints, out);
+}
+
+ExitCode convert_to_pn(ModelInput& input, const ConvertOptions& options, StandardOutput& out) {
+  if (options.faces || options.rejoin) return fail(bad_argument("--pn is for meshes"));
+  const Result<Target> target = ready_target(options);
+  if (!target) return fail(target.error());
+  const Result<ModelFile> read = input.take();
+  if (!read) return fail(read.error());
+  const MeshFile* const mesh = &std::get<MeshFile>(*read);
+  Result<SplineModel> model = pn_model(*mesh);
+  if (!model) {
+    Error error = model.error();
+    error.place.file = options.input.files[0];
+    complain(harmless(to_string(error)));
+    return kExitInvalid;
+  }
+  SplineFile file;
+  file.model = std::move(*model);
+  return write_splines(file, options, *target, {}, {},
+                       mesh->normals ? "  normals: those of the file\n"
+                                     : "  normals: sums over triangles, weighted by area\n",
+                       out);
 }
 
 }  // namespace veritope::cli

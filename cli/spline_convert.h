@@ -13,4 +13,7 @@ using namespace report;
 /// REQUIRES input.kind() == ModelKind::kSplines.
 ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, StandardOutput& out);
 
+/// A mesh as PN-triangles. REQUIRES input.kind() == ModelKind::kMesh, read with normals.
+ExitCode convert_to_pn(ModelInput& input, const ConvertOptions& options, StandardOutput& out);
+
 }  // namespace veritope::cli

@@ -20,7 +20,8 @@ using SecondGuess = std::string (*)(const Source&);
 
 template <MeshFormat kFormat>
 Result<ModelFile> read_as_mesh(const Source& source, const ModelReadOptions& options) {
-  Result<MeshFile> file = read_mesh(kFormat, source, options.limits, options.as_indexed);
+  Result<MeshFile> file =
+      read_mesh(kFormat, source, options.limits, options.as_indexed, options.with_normals);
   if (!file) return file.error();
   return ModelFile(std::move(*file));
 }

@@ -42,6 +42,7 @@ struct ModelReadOptions {
   std::optional<FormatId> format;  ///< nothing: from the ending of the name, else from the content
   std::optional<ModelKind> kind;   ///< nothing: any; else only formats of this kind are considered
   bool as_indexed = false;         ///< meshes: keep the file's own indices (no effect on STL)
+  bool with_normals = false;       ///< meshes: keep the normals of OBJ and PLY files
   ReadLimits limits;               ///< max_faces has an effect on meshes only
   int jobs = 1;                    ///< threads; the result is the same for every value >= 1
 };

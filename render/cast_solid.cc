@@ -36,13 +36,6 @@ Error nothing_to_see() {
   return Error{Code::kEmpty, {}, "no point of the solid is seen in the box of the picture"};
 }
 
-Box3d box_of_grid(const ExactBox<3>& bounds) {
-  Box3d out;
-  for (std::size_t k = 0; k < 3; ++k)
-    out.lo[k] = nearest_double(bounds[k].lo), out.hi[k] = nearest_double(bounds[k].hi);
-  return out;
-}
-
 PictureBox picture_of_boxes(const std::vector<Box3d>& boxes, const ParallelView& view) {
   PictureHull hull;
   for (const Box3d& box : boxes)
@@ -95,11 +88,7 @@ Result<Image> cast_solid(const SolidProbe& solid, const Box3d& bounds,
 Result<Image> draw_point_grid(const PointGrid& grid, const PictureOptions& options,
                               WorkShare* work) {
   if (const Status status = check_picture_options(options); !status) return status.error();
-  const Box3d bounds = box_of_grid(grid.bounds());
-  if (const Status status = check_bounds(bounds); !status) return status.error();
-  const PictureBox room = room_of(options);
-  const ParallelView view(bounds, options.view, room);
-  return painted(GridPainter(grid, view, room, options), options, work);
+  return painted(GridPainter(grid, room_of(options), options), options, work);
 }
 
 }  // namespace veritope

@@ -9,7 +9,7 @@
 namespace veritope {
 
 /// The picture of the part of a solid that lies in a box, on white, as large as it fits. Each pixel has a ray, and on
-/// it the first point of the solid, to 1/192 of a pixel, by exact answers of the solid alone. Nine samples a pixel
+/// it the first point of the solid, to 1/48 of a pixel, by exact answers of the solid alone. Nine samples a pixel
 /// have rays of their own, except where the rays of nine pixels find nothing, or what looks smooth. Where the solid
 /// goes on outside of the box, the sides of the box show in another tint. Parts that are thinner than a pixel may be
 /// missing within some seven pixels in front of others; elsewhere only if the solid has not its own walls
@@ -24,7 +24,7 @@ Result<Image> cast_solid(const SolidProbe& solid, const Box3d& bounds,
                          const PictureOptions& options, WorkShare* work = nullptr);
 
 /// The marks of a grid as balls, as large as the grid's box fits. Those farther back are paler. Same pixels as above.
-/// @error as cast_solid
+/// @error kBadArgument: see check_picture_options
 Result<Image> draw_point_grid(const PointGrid& grid, const PictureOptions& options,
                               WorkShare* work = nullptr);
 

@@ -21,6 +21,14 @@ Colour colour_of(GridMark mark) {
   return {255, 255, 255};
 }
 
+// From its low side, in units of the longest side.
+Box3d unit_box(const ExactBox<3>& bounds) {
+  const Rational longest = bounds.width();
+  Box3d out{};
+  for (std::size_t k = 0; k < 3; ++k) out.hi[k] = nearest_double(bounds[k].width() / longest);
+  return out;
+}
+
 }  // namespace
 
 // The first and the last mark of each line (i, j, k) for all k: the others lie between them.
@@ -38,15 +46,18 @@ void GridPainter::for_each_end(Visit&& visit) const {
     }
 }
 
-GridPainter::GridPainter(const PointGrid& grid, const ParallelView& view, const PictureBox& room,
+GridPainter::GridPainter(const PointGrid& grid, const PictureBox& room,
                          const PictureOptions& options)
-    : grid_(grid), view_(view), width_(options.width * kSamples) {
+    : grid_(grid),
+      view_(unit_box(grid.bounds()), options.view, room),
+      width_(options.width * kSamples) {
   constexpr double kShare = 0.36;  // of the least distance of points
-  double least = std::numeric_limits<double>::infinity();
+  const Box3d box = unit_box(grid.bounds());
+  double least = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::uint32_t i = 0; i < grid.n(); ++i)
-      coordinates_[axis].push_back(nearest_double(grid.coordinate(axis, i)));
-    least = std::min(least, nearest_double(grid.bounds()[axis].width()) / grid.n());
+    const double step = box.hi[axis] / grid.n();
+    for (std::uint32_t i = 0; i < grid.n(); ++i) coordinates_[axis].push_back((i + 0.5) * step);
+    least = std::min(least, step);
   }
   const double radius = kShare * least;
   PictureHull hull;

@@ -13,9 +13,8 @@ namespace veritope::internal {
 
 class GridPainter {
  public:
-  /// As large as the marks fit into the room. Keeps a reference to the grid. REQUIRES the view of a box around it.
-  GridPainter(const PointGrid& grid, const ParallelView& view, const PictureBox& room,
-              const PictureOptions& options);
+  /// As large as the marks fit into the room. Keeps a reference to the grid.
+  GridPainter(const PointGrid& grid, const PictureBox& room, const PictureOptions& options);
 
   /// Draws rows [first, last) of pixels.
   void draw(std::size_t first, std::size_t last, Image* image) const;
@@ -31,6 +30,7 @@ class GridPainter {
   const PointGrid& grid_;
   ParallelView view_;
   std::size_t width_;  ///< in samples
+  /// From the low side of the grid's box, in units of its longest side: nothing overflows.
   std::array<std::vector<double>, 3> coordinates_;
   double radius_ = 1;
   SampleLayer::Look look_;

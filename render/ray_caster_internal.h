@@ -22,7 +22,7 @@ struct RayAnswer {
 class RayCaster {
  public:
   /// Lengths are in units of t, which are sides of samples.
-  static constexpr double kStride = 3, kThin = 1, kThinnest = 0x1p-5, kTolerance = 0x1p-6;
+  static constexpr double kStride = 3, kThin = 1, kThinnest = 0x1p-5, kTolerance = 0x1p-4;
 
   /// Keeps references.
   RayCaster(const SolidProbe& solid, const ValueCells& cells) : solid_(solid), cells_(cells) {}

@@ -7,7 +7,7 @@
 namespace veritope::report {
 namespace {
 
-Json grid_json(const RenderReport::Grid& grid) {
+Json grid_json(const GridCounts& grid) {
   return {{"n", grid.n},
           {"in", grid.in},
           {"on", grid.on},

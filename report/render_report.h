@@ -10,17 +10,18 @@
 
 namespace veritope::report {
 
-struct RenderReport {
-  struct Grid {
-    std::uint32_t n = 0;
-    std::uint64_t in = 0, on = 0, out = 0, undecided = 0;
-  };
+/// How many of n^3 points are where.
+struct GridCounts {
+  std::uint32_t n = 0;
+  std::uint64_t in = 0, on = 0, out = 0, undecided = 0;
+};
 
+struct RenderReport {
   std::string path, sha256;  ///< of the model
   std::string picture;       ///< the path of the file
   std::size_t width = 0, height = 0;
   ExactBox<3> bounds;
-  std::optional<Grid> grid;
+  std::optional<GridCounts> grid;
   double seconds_read = 0, seconds_build = 0, seconds_draw = 0;
 };
 

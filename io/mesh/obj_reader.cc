@@ -2,6 +2,8 @@
 // io/mesh/obj_reader.cc: reading rule v1, section 3.
 // A line is first read in place. Only a line with a joint (a backslash before its end) whose meaning may depend on what
 // follows is copied without the joint, and read again.
+#include <algorithm>
+
 #include "io/mesh/parsed_mesh.h"
 #include "io/mesh/text_reader.h"
 
@@ -10,8 +12,10 @@ namespace {
 
 class ObjReader : TextReader {
  public:
-  ObjReader(const Source& source, const ReadLimits& limits)
-      : TextReader(source, limits, kTokenEndOrComment), sink_(limits.max_faces) {}
+  ObjReader(const Source& source, const ReadLimits& limits, bool with_normals)
+      : TextReader(source, limits, kTokenEndOrComment),
+        sink_(limits.max_faces),
+        with_normals_(with_normals) {}
 
   Result<ParsedMesh> read() {
     if (!(read_lines() && check_forward_indices())) return take_error();
@@ -23,6 +27,7 @@ class ObjReader : TextReader {
     parsed.report.file_vertices = positions_.size();
     parsed.mesh.positions = std::move(positions_);
     take_faces(sink_, parsed);
+    if (largest_normal_ > 0) parsed.normals = std::move(normals_);
     parsed.report.ignored = words_.take(" lines");
     if (long_vertices_ > 0) {
       parsed.report.ignored.emplace_back("v lines with more values", long_vertices_);
@@ -106,6 +111,7 @@ class ObjReader : TextReader {
     const std::string_view word(p_, static_cast<std::size_t>(last - p_));
     if (word == "v") return used(read_vertex());
     if (word == "f" || word == "fo") return used(read_face());
+    if (with_normals_ && word == "vn") return used(read_normal());
     return Line::kIgnored;
   }
 
@@ -128,9 +134,20 @@ class ObjReader : TextReader {
     return true;
   }
 
+  bool read_normal() {
+    p_ += 2;
+    Vec3d normal;
+    if (!read_position(p_, normal)) return false;
+    if (normals_.values.size() >= kMaxVertices)
+      return fail(p_, Code::kOverLimit, "more than 4294967294 normals");
+    normals_.values.push_back(normal);
+    return true;
+  }
+
   bool read_face() {
     const char* const line = p_;
     p_ = skip_token(p_, ends_);
+    corner_normals_.clear();
     std::size_t num = 0;
     for (p_ = skip_blanks(p_); !has_class(*p_, kEolClass | kHashClass); p_ = skip_blanks(p_)) {
       if (num == corners_.size()) corners_.resize(2 * num);
@@ -139,7 +156,16 @@ class ObjReader : TextReader {
     if (num < 3) {
       return fail(line, Code::kSyntax, "a face with " + std::to_string(num) + " corners");
     }
-    return sink_.add_polygon({corners_.data(), num}) || fail_faces(line);
+    if (!sink_.add_polygon({corners_.data(), num})) return fail_faces(line);
+    if (with_normals_) add_normals();
+    return true;
+  }
+
+  // For the fan that FaceSink makes of the polygon.
+  void add_normals() {
+    const std::vector<std::uint32_t>& n = corner_normals_;
+    for (std::size_t i = 1; i + 1 < n.size(); ++i)
+      normals_.of_face.push_back({n[0], n[i], n[i + 1]});
   }
 
   bool read_corner(std::uint32_t& corner) {
@@ -149,10 +175,12 @@ class ObjReader : TextReader {
     if (!index.is_valid || !ends || index.num_digits > limits_.max_digits) {
       return fail_integer(token, index);
     }
+    const char* const rest = p_;
     if (*p_ == '/') {
       p_ = skip_token(p_, ends_);
       if (is_at_joint()) return fail(token, Code::kSyntax, "a joint");
     }
+    if (with_normals_ && !read_corner_normal(token, rest)) return false;
     const std::uint64_t num = positions_.size();
     if (index.magnitude - 1 >= (index.is_negative ? num : kMaxVertices)) {
       return fail_index(token, num);
@@ -166,6 +194,33 @@ class ObjReader : TextReader {
     return true;
   }
 
+  // The token is v/t/n or v//n; its rest after v ends at p_.
+  bool read_corner_normal(const char* token, const char* rest) {
+    const char* n = rest < p_ ? std::find(rest + 1, p_, '/') : p_;
+    if (n < p_) ++n;
+    corner_normals_.push_back(MeshNormals::kNone);
+    if (n == p_) return true;
+    const ScannedInteger index = scan_integer(n);
+    const std::uint64_t num = normals_.values.size();
+    if (!index.is_valid || n != p_ || index.num_digits > limits_.max_digits)
+      return fail(token, Code::kSyntax,
+                  "the number of a normal in " + quoted_token(token, text_end_));
+    if (index.magnitude - 1 >= (index.is_negative ? num : kMaxVertices))
+      return fail_normal(token, quoted_token(token, text_end_), num);
+    const std::uint64_t number = index.is_negative ? num - index.magnitude : index.magnitude - 1;
+    corner_normals_.back() = static_cast<std::uint32_t>(number);
+    if (number + 1 > largest_normal_) {
+      largest_normal_ = number + 1;
+      largest_normal_at_ = anchor_ != nullptr ? anchor_ : token;
+    }
+    return true;
+  }
+
+  bool fail_normal(const char* token, const std::string& what, std::uint64_t num) {
+    return fail(token, Code::kIndexOutOfRange,
+                "the normal of " + what + " (" + std::to_string(num) + " normals)");
+  }
+
   bool fail_index(const char* token, std::uint64_t num) {
     return fail(token, Code::kIndexOutOfRange,
                 "vertex index " + quoted_token(token, text_end_) + " (" + std::to_string(num) +
@@ -175,6 +230,9 @@ class ObjReader : TextReader {
   // Tests indices of vertices that come later in the file than the face: they are known only at the
   // end.
   bool check_forward_indices() {
+    if (largest_normal_ > normals_.values.size())
+      return fail_normal(largest_normal_at_, std::to_string(largest_normal_),
+                         normals_.values.size());
     if (sink_.faces.empty() || largest_ < positions_.size()) return true;
     return fail(largest_at_, Code::kIndexOutOfRange,
                 "vertex index " + std::to_string(std::uint64_t{largest_} + 1) + ", but there are " +
@@ -187,6 +245,11 @@ class ObjReader : TextReader {
   FaceSink sink_;
   std::uint32_t largest_ = 0;
   const char* largest_at_ = nullptr;
+  bool with_normals_;
+  MeshNormals normals_;
+  std::vector<std::uint32_t> corner_normals_;  // of the face that is read
+  std::uint64_t largest_normal_ = 0;           // counted from 1; 0: no corner has one
+  const char* largest_normal_at_ = nullptr;
   std::string joined_;
   IgnoredCounts words_;  ///< first words of ignored lines
   std::uint64_t long_vertices_ = 0;
@@ -194,8 +257,8 @@ class ObjReader : TextReader {
 
 }  // namespace
 
-Result<ParsedMesh> read_obj(const Source& source, const ReadLimits& limits) {
-  return ObjReader(source, limits).read();
+Result<ParsedMesh> read_obj(const Source& source, const ReadLimits& limits, bool with_normals) {
+  return ObjReader(source, limits, with_normals).read();
 }
 
 }  // namespace veritope

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -59,6 +60,7 @@ struct ParsedMesh {
   TriangleMesh mesh;
   ReadReport report;
   std::vector<std::uint32_t> polygon_of_face;
+  std::optional<MeshNormals> normals;
 };
 
 /// If `bytes` of them are left, adds the notice "12 more bytes follow <what>: the count may be
@@ -69,8 +71,8 @@ void notice_rest(std::uint64_t bytes, const std::string& what, ReadReport& repor
 void take_faces(FaceSink& sink, ParsedMesh& parsed);
 
 Result<ParsedMesh> read_stl(const Source& source, const ReadLimits& limits);
-Result<ParsedMesh> read_obj(const Source& source, const ReadLimits& limits);
-Result<ParsedMesh> read_ply(const Source& source, const ReadLimits& limits);
+Result<ParsedMesh> read_obj(const Source& source, const ReadLimits& limits, bool with_normals);
+Result<ParsedMesh> read_ply(const Source& source, const ReadLimits& limits, bool with_normals);
 Result<ParsedMesh> read_off(const Source& source, const ReadLimits& limits);
 
 }  // namespace veritope

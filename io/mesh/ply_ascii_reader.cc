@@ -28,7 +28,7 @@ class PlyAsciiReader : TextReader {
         if (!is_right) return take_error();
       }
     }
-    return lists_.finish(source_, header_, std::move(positions_), p_);
+    return lists_.finish(source_, header_, std::move(positions_), std::move(normals_), p_);
   }
 
  private:
@@ -37,18 +37,27 @@ class PlyAsciiReader : TextReader {
     return p_ < source_.end || fail_expected(p_, "a number");
   }
 
+  // Where the value of a property of a vertex goes; null: nowhere.
+  double* target(std::size_t property, double* xyz, double* normal) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (header_.xyz[axis] == property) return xyz + axis;
+      if (header_.normal && (*header_.normal)[axis] == property) return normal + axis;
+    }
+    return nullptr;
+  }
+
   bool read_vertex(const PlyElement& element) {
-    double xyz[3] = {0, 0, 0};
+    double xyz[3] = {0, 0, 0}, normal[3] = {0, 0, 0};
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
-      std::size_t axis = 0;
-      while (axis < 3 && header_.xyz[axis] != i) ++axis;
-      if (axis == 3) {
+      double* const value = target(i, xyz, normal);
+      if (value == nullptr) {
         if (!skip_properties(element, i, i + 1)) return false;
-      } else if (!(next_token() && read_decimal(p_, xyz[axis]))) {
+      } else if (!(next_token() && read_decimal(p_, *value))) {
         return false;
       }
     }
     positions_.push_back({xyz[0] + 0.0, xyz[1] + 0.0, xyz[2] + 0.0});
+    if (header_.normal) normals_.push_back({normal[0] + 0.0, normal[1] + 0.0, normal[2] + 0.0});
     return true;
   }
 
@@ -111,7 +120,7 @@ class PlyAsciiReader : TextReader {
   const PlyHeader& header_;
   const char* p_;
   PlyLists lists_;
-  std::vector<Vec3d> positions_;
+  std::vector<Vec3d> positions_, normals_;
   std::vector<std::int64_t> indices_;
 };
 

@@ -52,7 +52,7 @@ class PlyBinaryReader {
       if (element.properties.empty()) continue;  // its instances have no bytes
       if (!read_element(element)) return std::move(*error_);
     }
-    return lists_.finish(source_, header_, std::move(positions_), p_);
+    return lists_.finish(source_, header_, std::move(positions_), std::move(normals_), p_);
   }
 
  private:
@@ -100,11 +100,15 @@ class PlyBinaryReader {
     return true;
   }
 
-  // Finds x, y and z in the instance at p_, and moves past it. Lists make their positions differ between instances.
-  bool find_xyz(const PlyElement& element, std::array<const char*, 3>& xyz) {
+  // Where x, y, z and the normal of an instance are; without a normal only the first three.
+  using Places = std::array<const char*, 6>;
+
+  // Finds them in the instance at p_, and moves past it. Lists make their positions differ between instances.
+  bool find_places(const PlyElement& element, Places& places) {
     for (std::size_t k = 0; k < element.properties.size(); ++k) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (header_.xyz[axis] == k) xyz[axis] = p_;
+        if (header_.xyz[axis] == k) places[axis] = p_;
+        if (header_.normal && (*header_.normal)[axis] == k) places[3 + axis] = p_;
       }
       if (!skip_properties(element, k, k + 1)) return false;
     }
@@ -116,27 +120,32 @@ class PlyBinaryReader {
     const bool has_lists = element.has_lists();
     const std::uint64_t stride = element.least_size(header_.encoding);
     if (!has_lists && element.count > left() / stride) return fail_truncated(stride, element.count);
-    std::array<const char*, 3> xyz{};
+    Places places{};
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (has_lists || i == 0) {
-        if (!find_xyz(element, xyz)) return false;
+        if (!find_places(element, places)) return false;
       } else {
-        for (const char*& at : xyz) at += stride;
+        for (std::size_t k = 0; k < (header_.normal ? 6 : 3); ++k) places[k] += stride;
         p_ += stride;
       }
-      if (!read_position(element, xyz)) return false;
+      if (!read_values(element, header_.xyz, places.data(), positions_)) return false;
+      if (header_.normal &&
+          !read_values(element, header_.normal->data(), places.data() + 3, normals_))
+        return false;
     }
     return true;
   }
 
-  bool read_position(const PlyElement& element, const std::array<const char*, 3>& xyz) {
+  // Three numbers, of the properties with these numbers.
+  bool read_values(const PlyElement& element, const std::size_t* properties,
+                   const char* const* places, std::vector<Vec3d>& out) {
     double values[3];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      values[axis] = load_number(element.properties[header_.xyz[axis]].type, xyz[axis], is_big_);
-      if (!std::isfinite(values[axis])) return fail_not_finite(xyz[axis], values[axis]);
+      values[axis] = load_number(element.properties[properties[axis]].type, places[axis], is_big_);
+      if (!std::isfinite(values[axis])) return fail_not_finite(places[axis], values[axis]);
     }
     // + 0.0 turns -0 into +0.
-    positions_.push_back({values[0] + 0.0, values[1] + 0.0, values[2] + 0.0});
+    out.push_back({values[0] + 0.0, values[1] + 0.0, values[2] + 0.0});
     return true;
   }
 
@@ -203,7 +212,7 @@ class PlyBinaryReader {
   const char* p_;
   const bool is_big_;
   PlyLists lists_;
-  std::vector<Vec3d> positions_;
+  std::vector<Vec3d> positions_, normals_;
   std::vector<std::int64_t> indices_;
   std::optional<Error> error_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // io/mesh/ply_header.h: the header of a PLY file (reading rule v1, section 4) and what it says about the mesh.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -59,6 +60,8 @@ struct PlyHeader {
   // Valid after check_ply_header() returned success.
   std::uint64_t num_vertices = 0;
   std::size_t xyz[3] = {0, 0, 0};  ///< property numbers in element vertex
+  /// Those of nx, ny and nz, if they are to be read and all three are there, once each.
+  std::optional<std::array<std::size_t, 3>> normal;
 };
 
 /// Reads the lines up to end_header. Checks each line, not the whole.

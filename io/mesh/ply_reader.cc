@@ -32,6 +32,15 @@ void count_ignored(const PlyHeader& header, IgnoredCounts& ignored) {
   }
 }
 
+void find_normals(PlyHeader& header) {
+  for (const PlyElement& element : header.elements) {
+    if (ply_role(element) != PlyRole::kVertices) continue;
+    const auto x = element.find("nx", false), y = element.find("ny", false),
+               z = element.find("nz", false);
+    if (x && y && z) header.normal = {*x, *y, *z};
+  }
+}
+
 }  // namespace
 
 PlyLists::Fault PlyLists::too_many() const {
@@ -79,7 +88,8 @@ std::optional<PlyLists::Fault> PlyLists::add_strips(std::span<const std::int64_t
 }
 
 Result<ParsedMesh> PlyLists::finish(const Source& source, const PlyHeader& header,
-                                    std::vector<Vec3d> positions, const char* end) {
+                                    std::vector<Vec3d> positions, std::vector<Vec3d> normals,
+                                    const char* end) {
   if (sink_.faces.empty()) {
     const char* const what = "there is no triangle";
     return header.encoding == PlyEncoding::kAscii
@@ -91,6 +101,7 @@ Result<ParsedMesh> PlyLists::finish(const Source& source, const PlyHeader& heade
   parsed.report.file_vertices = header.num_vertices;
   parsed.report.strip_joints = strip_joints_;
   parsed.mesh.positions = std::move(positions);
+  if (header.normal) parsed.normals = MeshNormals{std::move(normals), sink_.faces};
   take_faces(sink_, parsed);
   IgnoredCounts ignored;
   count_ignored(header, ignored);
@@ -106,11 +117,12 @@ Result<ParsedMesh> PlyLists::finish(const Source& source, const PlyHeader& heade
   return parsed;
 }
 
-Result<ParsedMesh> read_ply(const Source& source, const ReadLimits& limits) {
+Result<ParsedMesh> read_ply(const Source& source, const ReadLimits& limits, bool with_normals) {
   Result<PlyHeader> header = parse_ply_header(source);
   if (!header) return header.error();
   const Status checked = check_ply_header(source, limits, *header);
   if (!checked) return checked.error();
+  if (with_normals) find_normals(*header);
   return header->encoding == PlyEncoding::kAscii ? read_ply_ascii(source, limits, *header)
                                                  : read_ply_binary(source, limits, *header);
 }

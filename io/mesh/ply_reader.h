@@ -38,8 +38,10 @@ class PlyLists {
   void reserve(std::size_t faces) { sink_.faces.reserve(faces); }
 
   /// Combines positions and lists to the mesh of the file. `end`: after the last instance.
+  /// `normals`: one for each vertex if the header has them.
   Result<ParsedMesh> finish(const Source& source, const PlyHeader& header,
-                            std::vector<Vec3d> positions, const char* end);
+                            std::vector<Vec3d> positions, std::vector<Vec3d> normals,
+                            const char* end);
 
  private:
   std::optional<Fault> add_polygon(std::span<const std::int64_t> indices);

@@ -9,11 +9,12 @@
 namespace veritope {
 namespace {
 
-Result<ParsedMesh> parse(MeshFormat format, const Source& source, const ReadLimits& limits) {
+Result<ParsedMesh> parse(MeshFormat format, const Source& source, const ReadLimits& limits,
+                         bool with_normals) {
   switch (format) {
     case MeshFormat::kStl: return read_stl(source, limits);
-    case MeshFormat::kObj: return read_obj(source, limits);
-    case MeshFormat::kPly: return read_ply(source, limits);
+    case MeshFormat::kObj: return read_obj(source, limits, with_normals);
+    case MeshFormat::kPly: return read_ply(source, limits, with_normals);
     case MeshFormat::kOff: return read_off(source, limits);
   }
   return error_in_file(*source.name, Code::kBadArgument, "no such format");
@@ -43,8 +44,8 @@ void merge_and_count(ParsedMesh& parsed, bool as_indexed) {
 }  // namespace
 
 Result<MeshFile> read_mesh(MeshFormat format, const Source& source, const ReadLimits& limits,
-                           bool as_indexed) {
-  Result<ParsedMesh> parsed = parse(format, source, limits);
+                           bool as_indexed, bool with_normals) {
+  Result<ParsedMesh> parsed = parse(format, source, limits, with_normals);
   if (!parsed) return parsed.error();
   parsed->report.format = format;
   parsed->report.bytes = source.size();
@@ -53,6 +54,7 @@ Result<MeshFile> read_mesh(MeshFormat format, const Source& source, const ReadLi
   MeshFile file;
   file.mesh = std::move(parsed->mesh);
   file.report = std::move(parsed->report);
+  file.normals = std::move(parsed->normals);
   file.polygon_of_face = std::move(parsed->polygon_of_face);
   return file;
 }

@@ -43,6 +43,14 @@ struct ReadReport {
   std::vector<ReadNotice> notices;
 };
 
+/// The normals of a file, exactly as the decimals and floats that it has: of any length. Reading rule v1 ignores them.
+struct MeshNormals {
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  std::vector<Vec3d> values;  ///< finite
+  std::vector<std::array<std::uint32_t, 3>>
+      of_face;  ///< for each corner of each face: kNone, or in range
+};
+
 /// A mesh file with the mesh of a file that the reading rule does not know: certificates speak of its bytes.
 struct MeshCopy {
   std::string bytes;   ///< in the format of the report
@@ -58,18 +66,21 @@ struct MeshFile {
   std::string sha256;  ///< the SHA-256 of the bytes that were read, 64 lower-case hex digits
   /// The polygon (counted from 0 in file order) that a face was cut from; empty if all were triangles.
   std::vector<std::uint32_t> polygon_of_face;
+  /// If they were requested, and a face of an OBJ file, or the vertices of a PLY file, have some.
+  std::optional<MeshNormals> normals;
   std::optional<MeshCopy> copy;  ///< if report.container is not empty
-  double seconds_read = 0;   ///< file to memory
-  double seconds_parse = 0;  ///< memory to triangles, merging included
-  double seconds_hash = 0;   ///< SHA-256; with jobs >= 2 at the same time as parsing
+  double seconds_read = 0;       ///< file to memory
+  double seconds_parse = 0;      ///< memory to triangles, merging included
+  double seconds_hash = 0;       ///< SHA-256; with jobs >= 2 at the same time as parsing
 };
 
 /// Reads the bytes as a file of this format. Does not set sha256 and the seconds. Files are read by io/read_model.h.
 /// @param  as_indexed  keep the file's own indices (no effect on STL)
+/// @param  with_normals  keep the normals of OBJ (vn) and PLY (nx, ny, nz). What is wrong with them is an error then
 /// @error  kEmpty, kSyntax, kTruncated, kNotFinite, kIndexOutOfRange, kOverLimit, with the line of a text or the byte
 ///         of binary data
 /// @cost O(bytes) time; memory at most a constant times the bytes, never the announced counts
 Result<MeshFile> read_mesh(MeshFormat format, const Source& source, const ReadLimits& limits,
-                           bool as_indexed);
+                           bool as_indexed, bool with_normals = false);
 
 }  // namespace veritope

@@ -30,19 +30,16 @@ Error at_vertex(Code code, std::size_t vertex, std::string message) {
   return error;
 }
 
-Status check_input(const TriangleMesh& mesh, std::span<const Vec3d> normals) {
+Status check_mesh(const TriangleMesh& mesh, std::size_t num_normals) {
   const std::size_t count = mesh.positions.size();
-  if (normals.size() != count)
+  if (num_normals != count)
     return Error{
         Code::kBadArgument,
         {},
-        std::to_string(normals.size()) + " normals for " + std::to_string(count) + " vertices"};
-  for (std::size_t v = 0; v < count; ++v) {
+        std::to_string(num_normals) + " normals for " + std::to_string(count) + " vertices"};
+  for (std::size_t v = 0; v < count; ++v)
     if (!internal::is_finite(mesh.positions[v]))
       return at_vertex(Code::kNotFinite, v, "the position is not finite");
-    if (!internal::is_finite(normals[v]))
-      return at_vertex(Code::kNotFinite, v, "the normal is not finite");
-  }
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     for (const std::uint32_t v : mesh.faces[f])
       if (v >= count)
@@ -56,11 +53,10 @@ Status check_input(const TriangleMesh& mesh, std::span<const Vec3d> normals) {
 class PnMeshBuilder {
  public:
   static Result<PnMesh<Rational>> exact_mesh(const TriangleMesh& mesh,
-                                             std::span<const Vec3d> normals) {
-    if (Status status = check_input(mesh, normals); !status) return status.error();
-    std::vector<DyadicPoint> points, directions;
+                                             std::span<const PnDirection> directions) {
+    if (Status status = check_mesh(mesh, directions.size()); !status) return status.error();
+    std::vector<DyadicPoint> points;
     for (const Vec3d& p : mesh.positions) points.push_back(exact(p));
-    for (const Vec3d& n : normals) directions.push_back(exact(n));
     PnMesh<Rational> out;
     out.faces_ = mesh.faces;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -99,9 +95,9 @@ class PnMeshBuilder {
     return out;
   }
 
-  template <typename S>
-  static std::array<std::array<S, 3>, 3> at_corners(const std::vector<std::array<S, 3>>& values,
-                                                    const std::array<std::uint32_t, 3>& face) {
+  template <typename Values>
+  static std::array<typename Values::value_type, 3> at_corners(
+      const Values& values, const std::array<std::uint32_t, 3>& face) {
     return {values[face[0]], values[face[1]], values[face[2]]};
   }
   // For each edge of a face, from corner e + 1 to corner e + 2.
@@ -169,8 +165,35 @@ BezierTriangle<R> PnMesh<R>::normals(std::size_t face) const {
 template class PnMesh<Rational>;
 template class PnMesh<double>;
 
-Result<PnMesh<Rational>> make_pn_mesh(const TriangleMesh& mesh, std::span<const Vec3d> normals) {
+Result<PnMesh<Rational>> make_pn_mesh(const TriangleMesh& mesh,
+                                      std::span<const PnDirection> normals) {
   return PnMeshBuilder::exact_mesh(mesh, normals);
+}
+
+Result<PnMesh<Rational>> make_pn_mesh(const TriangleMesh& mesh, std::span<const Vec3d> normals) {
+  std::vector<PnDirection> directions;
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    if (!internal::is_finite(normals[v]))
+      return at_vertex(Code::kNotFinite, v, "the normal is not finite");
+    directions.push_back(exact(normals[v]));
+  }
+  return make_pn_mesh(mesh, directions);
+}
+
+std::vector<PnDirection> area_normals(const TriangleMesh& mesh) {
+  std::vector<PnDirection> out(mesh.positions.size());
+  for (const auto& face : mesh.faces) {
+    const DyadicPoint a = exact(mesh.positions[face[0]]), b = exact(mesh.positions[face[1]]),
+                      c = exact(mesh.positions[face[2]]);
+    DyadicPoint u, v;
+    for (std::size_t k = 0; k < 3; ++k) u[k] = b[k] - a[k], v[k] = c[k] - a[k];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      const Dyadic area = u[i] * v[j] - u[j] * v[i];
+      for (const std::uint32_t vertex : face) out[vertex][k] += area;
+    }
+  }
+  return out;
 }
 Result<PnMesh<double>> rounded(const PnMesh<Rational>& mesh) {
   return PnMeshBuilder::rounded_mesh(mesh);

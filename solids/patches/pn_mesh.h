@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "robust/dyadic.h"
 #include "solids/polyhedron/triangle_mesh.h"
 #include "splines/pn_triangle.h"
 
@@ -50,6 +51,16 @@ class PnMesh {
 ///        kIndexOutOfRange with the place.
 /// @cost  approximately 50 microseconds per face for coordinates of all 53 bits
 Result<PnMesh<Rational>> make_pn_mesh(const TriangleMesh& mesh, std::span<const Vec3d> normals);
+
+/// A direction with exact coordinates.
+using PnDirection = std::array<Dyadic, 3>;
+/// Likewise.
+Result<PnMesh<Rational>> make_pn_mesh(const TriangleMesh& mesh,
+                                      std::span<const PnDirection> normals);
+
+/// For each vertex the exact sum of (b - a) x (c - a) over its triangles (a, b, c): normals whose lengths are twice the
+/// areas. REQUIRES ids in range, finite coordinates.
+std::vector<PnDirection> area_normals(const TriangleMesh& mesh);
 
 /// Rounds every number to nearest once: a control point has one value, whichever face asks.
 /// @error kNotFinite with the face, if a control point is beyond the largest double.

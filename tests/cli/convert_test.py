@@ -57,6 +57,52 @@ class Convert(Folder):
             self.assertEqual(self.listing(), [])
         self.assertEqual(self.convert("--float", MODELS / "m3_crack.stl", self.folder / "x.ply").returncode, 1)
 
+    def test_pn_triangles_are_smooth_solids_over_meshes(self):
+        cage = self.folder / "cage.obj"
+        corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+        faces = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)]
+
+        def write(normals, corner="{0}//{0}"):
+            text = "".join("v %d %d %d\n" % c for c in corners) + "".join(f"vn {n}\n" for n in normals)
+            text += "".join("f " + " ".join(corner.format(v + 1) for v in f) + "\n" for f in faces)
+            cage.write_text(text)
+
+        own = ["%d %d %d" % c for c in corners]
+        out = self.folder / "smooth.vjson"
+        write(own)
+        done = self.convert("--pn", cage, out)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("8 entities, nothing lost\n  normals: those of the file", done.stdout)
+        volume = support.only_file(out)["volume"]
+        with_own = out.read_bytes()
+        write(own, "{0}")
+        done = self.convert("--pn", cage, out)
+        self.assertIn("normals: sums over triangles, weighted by area", done.stdout)
+        self.assertEqual(out.read_bytes(), with_own)  # by symmetry
+        self.assertEqual(support.only_file(out)["verdict"], "VALID")
+        self.assertGreater(float(volume["lo"]), 4 / 3)  # of the octahedron itself
+        for format_ in ("off", "ply", "stl"):
+            mesh = self.folder / f"cage.{format_}"
+            self.convert(cage, mesh)
+            self.assertEqual(self.convert("--pn", mesh, out).returncode, 0)
+            if format_ != "stl":
+                self.assertEqual(out.read_bytes(), with_own)
+
+    def test_pn_refuses_corners_by_face_and_vertex(self):
+        cage, out = self.folder / "t.obj", self.folder / "t.vjson"
+        lines = "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nvn 1 1 1\nvn -1 -1 1\nvn -1 1 -1\nvn %s\n"
+        faces = "f 1//1 3//3 2//2\nf 1//1 2//2 4//4\nf 1//1 4//4 3//3\nf 2//2 3//3 4//4\n"
+        for normal, face, words in (("1 -1 -1", faces.replace("f 1//1 4//4", "f 1//2 4//4"), "t.obj: face 2: vertex 0: the vertex has two normals"),
+                                    ("0 0 0", faces, "t.obj: face 1: vertex 3: the normal of corner 2 is zero"),
+                                    ("-1 1 1", faces, "t.obj: face 1: vertex 3: the normal of corner 2, (-1, 1, 1), is 90 degrees or more off")):
+            cage.write_text(lines % normal + face)
+            done = self.convert("--pn", cage, out)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertIn(words, re.sub(r"\s+", " ", done.stderr))
+            self.assertFalse(out.exists())
+        cage.write_text(lines % "1 -1 nan" + faces)
+        self.assertEqual(self.convert("--pn", cage, out).returncode, 4)
+
     def test_the_names_of_info_are_targets(self):
         names = support.json.loads(run("info", "--json", "-", VALID).stdout)["files"][0]["lossless"]
         self.assertIn("ply-binary-little-endian-float", names)

@@ -5,10 +5,12 @@ import fractions
 import json
 import re
 import struct
+import subprocess
+import sys
 import unittest
 import zlib
 
-from support import MODELS, Folder, run
+from support import MODELS, ROOT, Folder, run
 
 CUBE = MODELS / "patches" / "cube.itd"
 WHITE = b"\xff\xff\xff"
@@ -48,13 +50,7 @@ def box(low, high):
     return f"OFF\n8 {len(faces)} 0\n" + "".join(rows) + "".join("4 %d %d %d %d\n" % f for f in faces)
 
 
-class Render(Folder):
-    def setUp(self):
-        super().setUp()
-        (self.folder / "a.off").write_text(box((0, 0, 0), (1, 1, 1)))
-        (self.folder / "b.off").write_text(box((0.5, 0.5, 0.5), (2, 2, 2)))
-        run("boolean", "A - B", "A=a.off", "B=b.off", "-o", "e.json", cwd=self.folder)
-
+class RenderCase(Folder):
     def render(self, *arguments, status=0):
         done = run("render", *arguments, cwd=self.folder)
         self.assertEqual(done.returncode, status, done.stdout + done.stderr)
@@ -62,6 +58,14 @@ class Render(Folder):
 
     def grid(self, *arguments, size="64,64"):
         return json.loads(self.render(*arguments, "-o", "g.png", "--size", size, "--json", "-"))
+
+
+class Render(RenderCase):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "a.off").write_text(box((0, 0, 0), (1, 1, 1)))
+        (self.folder / "b.off").write_text(box((0.5, 0.5, 0.5), (2, 2, 2)))
+        run("boolean", "A - B", "A=a.off", "B=b.off", "-o", "e.json", cwd=self.folder)
 
     def counts_of_classify(self, model, bounds, n):
         """What classify counts, with the points as fractions."""
@@ -153,6 +157,32 @@ class Render(Folder):
         rows = pixels(self.folder / "p.png")[2]
         self.assertEqual({rows[y][x] for y in range(30, 70) for x in range(30, 70)}, {WHITE})
         self.assertNotEqual(rows[50][15], WHITE)
+
+
+class Figures(RenderCase):
+    """examples/esc_figures: what the program counts is what the commands count."""
+
+    def test_counts_of_the_figures(self):
+        folder = ROOT / "examples" / "esc_figures"
+        for mesh in ("stomach.obj", "ring.off", "jack.obj"):
+            name = mesh.split(".")[0]
+            self.assertEqual(run("convert", "--pn", folder / mesh, self.folder / f"{name}.vjson").returncode, 0)
+        for name, expression in (("union", "S | R"), ("intersection", "S & R"), ("difference", "S - R")):
+            run("boolean", expression, "S=stomach.vjson", "R=ring.vjson", "-o", f"{name}.json", cwd=self.folder)
+        expected = re.findall(r"(?m)^\d+  (union|intersection|difference|third solid) +(\d+) in, (\d+) on, +(\d+) out, (\d+) undecided$", (folder / "expected.txt").read_text())
+        self.assertEqual(len(expected), 4)
+        for name, *counts in expected:
+            model, n, bounds = (f"{name}.json", 32, "-7/4,-3/2,-15/8,15/8,3/2,7/4")
+            if name == "third solid":
+                model, n, bounds = ("jack.vjson", 25, "-3/2,-3/2,-3/2,3/2,3/2,3/2")
+            grid = self.grid(model, "--grid", n, f"--bounds={bounds}")["grid"]
+            self.assertEqual([str(grid[key]) for key in ("in", "on", "out", "undecided")], counts, name)
+
+    def test_the_meshes_are_those_of_the_script(self):
+        folder = ROOT / "examples" / "esc_figures"
+        subprocess.run([sys.executable, folder / "make_solids.py", self.folder], check=True)
+        for mesh in ("stomach.obj", "ring.off", "jack.obj"):
+            self.assertEqual((self.folder / mesh).read_text(), (folder / mesh).read_text())
 
 
 if __name__ == "__main__":

@@ -50,6 +50,7 @@ def command_lines():
     yield ["convert", models[0], "o.obj"]
     yield ["convert", "tests/models/valid_quads_crlf.obj", "o.stl"]
     yield ["convert", cube, "o.g2"]
+    yield ["convert", "--pn", "tests/models/valid_nested_three.off", "o.vjson"]
     yield ["convert", "tests/models/splines/trimmed.itd", "o.vtu"]
     yield ["intersect", cube, cube]
     yield ["project", "1,2,3", cube]

@@ -48,6 +48,61 @@ TEST(ObjReader, CornersMayCarryTextureAndNormals) {
   EXPECT_EQ(content(obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nfo +1/ 2/ 03/\n")), kTriangle);
 }
 
+// "x,y,z ... | a,b,c ...", - for none.
+std::string normals(const Result<MeshFile>& file) {
+  if (!file) return outcome(file) + ": " + file.error().message;
+  if (!file->normals) return "none";
+  MeshFile shown;
+  shown.mesh = {file->normals->values, file->normals->of_face};
+  std::string text = content(Result<MeshFile>(std::move(shown)));
+  for (std::size_t at; (at = text.find("4294967295")) != text.npos;) text.replace(at, 10, "-");
+  return text;
+}
+ModelReadOptions with_normals() {
+  ModelReadOptions options;
+  options.with_normals = true;
+  return options;
+}
+
+TEST(ObjReader, KeepsNormalsOnRequest) {
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  const auto read = [&](const std::string& rest) {
+    return normals(obj(square + rest, with_normals()));
+  };
+  EXPECT_EQ(read("vn 0 0 .1\nvn 1 0 -0\nf 1//1 2//2 3/9/-1 4//1\n"),
+            "0,0,0.10000000000000001 1,0,0 | 0,1,1 0,1,0");
+  EXPECT_EQ(read("f 1/7/1 2//2 3\nvn 0 0 1\nvn 1 0 2\n"), "0,0,1 1,0,2 | 0,1,-");
+  EXPECT_EQ(read("vn 0 0 1\nf 1//1 2//1 \\\n3//1\n"), "0,0,1 | 0,0,0");
+  EXPECT_EQ(read("vn 0 \\\n0 1\nf 1//1 2//1 3/\\\n/1\n"), "0,0,1 | 0,0,0");
+  EXPECT_EQ(read("vn 0 0 1\nf 1 2/3 3//\n"), "none");
+  EXPECT_EQ(read("vn 0 0 1\nf 1//1 2//2 3//1\n"),
+            "index-out-of-range@6: the normal of 2 (1 normals)");
+  EXPECT_EQ(read("vn 0 0 1\nf 1//-2 2//1 3//1\n"),
+            "index-out-of-range@6: the normal of '1//-2' (1 normals)");
+  EXPECT_EQ(read("vn 0 0 1\nf 1//1x 2//1 3//1\n"), "syntax@6: the number of a normal in '1//1x'");
+  EXPECT_EQ(read("vn 0 0 1\nf 1//0 2//1 3//1\n"),
+            "index-out-of-range@6: the normal of '1//0' (1 normals)");
+  EXPECT_EQ(outcome(obj(square + "vn 0 0 inf\nf 1 2 3\n", with_normals())), "not-finite@5");
+  EXPECT_EQ(outcome(obj(square + "vn 0 0\nf 1 2 3\n", with_normals())), "syntax@5");
+}
+
+TEST(ObjReader, IgnoresWhateverNormalsSayWithoutARequest) {
+  const auto file = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn nan\nf 1//x 2//9 3\n");
+  EXPECT_EQ(content(file), kTriangle);
+  EXPECT_EQ(ignored(*file, "vn lines"), 1u);
+  EXPECT_FALSE(file->normals);
+}
+
+// Merged vertices keep the normals of their corners.
+TEST(ObjReader, NormalsBelongToCornersNotToVertices) {
+  const auto file =
+      obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nvn 0 0 1\nvn 0 0 2\nf 1//1 2//1 3//1\nf 4//2 3//1 "
+          "2//1\n",
+          with_normals());
+  EXPECT_EQ(content(file), "0,0,0 1,0,0 0,1,0 | 0,1,2 0,2,1");
+  EXPECT_EQ(normals(file), "0,0,1 0,0,2 | 0,0,0 1,0,0");
+}
+
 TEST(ObjReader, NegativeIndicesCountBackFromTheLine) {
   EXPECT_EQ(content(obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\n")),
             "0,0,0 1,0,0 0,1,0 5,5,5 | 0,1,2");

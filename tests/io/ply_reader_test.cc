@@ -404,5 +404,52 @@ TEST(PlyReader, WhatFollowsTheLastElementIsNamed) {
   EXPECT_EQ(io_test::notices(*ply(little(kVertices + kFaces, body))), "");
 }
 
+std::string normals_of(const Result<MeshFile>& file) {
+  if (!file) return outcome(file);
+  if (!file->normals) return "none";
+  MeshFile shown;
+  shown.mesh = {file->normals->values, file->normals->of_face};
+  return content(Result<MeshFile>(std::move(shown)));
+}
+
+TEST(PlyReader, KeepsNormalsOnRequest) {
+  ModelReadOptions with;
+  with.with_normals = true;
+  const std::string vertices =
+      "element vertex 3\nproperty float nx\nproperty double x\nproperty double y\n"
+      "property float ny\nproperty uchar red\nproperty double z\nproperty short nz\n";
+  const std::string rows = "0.25 0 0 -1 7 0 3\n1 1 0 0 7 0 0\n0 0 1 1e3 7 0 -2\n3 2 0 1\n";
+  const std::string want = "0.25,-1,3 1,0,0 0,1000,-2 | 2,0,1";
+  EXPECT_EQ(normals_of(ply(ascii(vertices + kFaces, rows), with)), want);
+  EXPECT_EQ(normals_of(ply(ascii(vertices + kFaces, rows))), "none");
+  std::string body;
+  const double xyz[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const float nxy[3][2] = {{0.25F, -1}, {1, 0}, {0, 1000}};
+  const std::int16_t nz[3] = {3, 0, -2};
+  for (int i = 0; i < 3; ++i)
+    body += packed(nxy[i][0]) + packed(xyz[i][0]) + packed(xyz[i][1]) + packed(nxy[i][1]) +
+            packed(std::uint8_t{7}) + packed(xyz[i][2]) + packed(nz[i]);
+  body += packed(std::uint8_t{3}) + packed(std::int32_t{2}) + packed(std::int32_t{0}) +
+          packed(std::int32_t{1});
+  EXPECT_EQ(normals_of(ply(little(vertices + kFaces, body), with)), want);
+  EXPECT_EQ(content(ply(little(vertices + kFaces, body), with)), "0,0,0 1,0,0 0,1,0 | 2,0,1");
+}
+
+TEST(PlyReader, HasNoNormalsWithoutAllThreeOfThem) {
+  ModelReadOptions with;
+  with.with_normals = true;
+  const std::string two = kVertices + "property float nx\nproperty float ny\n";
+  EXPECT_EQ(
+      normals_of(ply(ascii(two + kFaces, "0 0 0 1 1\n1 0 0 1 1\n0 1 0 1 1\n3 0 1 2\n"), with)),
+      "none");
+  const std::string three = two + "property float nz\n";
+  EXPECT_EQ(outcome(ply(ascii(three + kFaces, "0 0 0 1 1 1\n1 0 0 1 nan 1\n0 1 0 1 1 1\n3 0 1 2\n"),
+                        with)),
+            "not-finite@14");
+  EXPECT_EQ(
+      outcome(ply(ascii(three + kFaces, "0 0 0 1 1 1\n1 0 0 1 nan 1\n0 1 0 1 1 1\n3 0 1 2\n"))),
+      "ok");
+}
+
 }  // namespace
 }  // namespace veritope

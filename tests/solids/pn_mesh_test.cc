@@ -136,7 +136,7 @@ TEST(PnMesh, TakesWhatIsNoClosedSurface) {
 }
 
 TEST(PnMesh, OfNoFacesHasNone) {
-  const auto pn = make_pn_mesh({}, {});
+  const auto pn = make_pn_mesh({}, std::span<const Vec3d>());
   ASSERT_TRUE(pn);
   EXPECT_EQ(pn->num_faces(), 0u);
   EXPECT_TRUE(rounded(*pn));
@@ -154,6 +154,40 @@ TEST(PnMesh, NamesTheFaceAndTheCornerThatItRefuses) {
   model.normals[3] = {0, 0, 0};
   EXPECT_EQ(to_string(make_pn_mesh(model.mesh, model.normals).error()),
             "face 2: vertex 3: the normal of corner 1 is zero");
+}
+
+// On the octahedron with one corner pulled out: sums by hand.
+TEST(PnMesh, AreaNormalsAreExactSums) {
+  Model model = ball(4, 0);
+  const std::vector<PnDirection> sums = area_normals(model.mesh);
+  std::vector<std::array<Rational, 3>> want(model.mesh.positions.size());
+  for (const auto& face : model.mesh.faces) {
+    std::array<std::array<Rational, 3>, 3> p;
+    for (std::size_t c = 0; c < 3; ++c)
+      for (int k = 0; k < 3; ++k)
+        p[c][static_cast<std::size_t>(k)] = Rational::from_double(model.mesh.positions[face[c]][k]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      Rational area;  // the shoelace formula
+      for (std::size_t c = 0; c < 3; ++c)
+        area += p[c][i] * p[(c + 1) % 3][j] - p[c][j] * p[(c + 1) % 3][i];
+      for (const std::uint32_t v : face) want[v][k] += area;
+    }
+  }
+  for (std::size_t v = 0; v < want.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(sums[v][k].to_rational(), want[v][k]);
+  // Lengths do not matter, and sums of unequal lengths give the same patches as normals along them.
+  const auto exact = make_pn_mesh(model.mesh, sums);
+  ASSERT_TRUE(exact);
+  std::vector<Vec3d> along;
+  for (const PnDirection& n : sums)
+    along.push_back({nearest_double(n[0].to_rational()), nearest_double(n[1].to_rational()),
+                     nearest_double(n[2].to_rational())});
+  const auto same = make_pn_mesh(model.mesh, along);
+  ASSERT_TRUE(same);
+  for (std::size_t f = 0; f < exact->num_faces(); ++f)
+    EXPECT_TRUE(
+        std::ranges::equal(exact->points(f).coefficients(), same->points(f).coefficients()));
 }
 
 TEST(PnMesh, RefusesDegenerateAndBrokenInput) {

@@ -108,3 +108,5 @@ endforeach()
 file(GLOB veritope_example_models CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/*.*")
 list(FILTER veritope_example_models EXCLUDE REGEX "/CMakeLists\\.txt$")
 install(FILES ${veritope_example_models} DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples")
+install(DIRECTORY examples/esc_figures DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples"
+        FILES_MATCHING PATTERN "*.obj" PATTERN "*.off")

@@ -32,7 +32,7 @@ def installed(root):
     """Documents and examples that are installed."""
     folders = tuple(row + "/" for row in rows(root))
     names = [str(path) for path in files(root)]
-    examples = [name for name in names if re.fullmatch(r"examples/[^/]+\.(?!txt|cc|h)\w+", name)]
+    examples = [name for name in names if re.fullmatch(r"examples/([^/]+\.(?!txt|cc|h)\w+|esc_figures/[^/]+\.(obj|off))", name)]
     return {name for name in names if name in rows(root) or name.startswith(folders)} | set(examples)
 
 

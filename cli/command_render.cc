@@ -159,6 +159,8 @@ class RenderRun {
     look.jobs = static_cast<unsigned>(options_.jobs);
     const Result<Image> image = options_.grid != 0 ? draw_grid(solid, look) : cast(solid, look);
     progress_.clear();
+    if (!image && image.error().code == Code::kOverLimit && options_.bounds && options_.grid == 0)
+      return complain("--bounds: " + image.error().message), kExitUsage;
     if (!image) return refuse(image.error());
     report_.picture = *options_.output;
     report_.width = image->width, report_.height = image->height;

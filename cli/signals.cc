@@ -12,7 +12,7 @@
 namespace veritope::cli {
 namespace {
 
-constexpr int kEnding[] = {SIGINT, SIGTERM, SIGHUP};
+constexpr int kEnding[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU};
 std::atomic<pid_t> running_child{0};
 std::atomic<bool> progress_shown{false};
 static_assert(std::atomic<pid_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,

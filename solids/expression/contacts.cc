@@ -98,14 +98,17 @@ class Meeting {
   // Whether f has the value for all patterns of bits that may occur.
   bool is_settled(const NearbyFunction& f, bool value) {
     if (size() < 2) return true;
-    if (size() > kMostInContact) return false;
+    if (size() > kMostMembers) return false;
     find_cells();
     find_groups();
-    for (std::uint32_t pattern = 0; pattern < std::uint32_t{1} << size(); ++pattern) {
-      if (is_excluded(pattern)) continue;
-      for (std::size_t m = 0; m < size(); ++m) bits_[members_[m].cone] = (pattern >> m & 1) != 0;
-      if (f(bits_) != value) return false;
-    }
+    // If all fit, the cells have all patterns.
+    const Mask all = ~Mask{0} >> (kMostMembers - size());
+    if (std::find(groups_.begin(), groups_.end(), all) != groups_.end())
+      return std::all_of(cells_.begin(), cells_.end(),
+                         [&](Mask cell) { return value_of(cell, f) == value; });
+    if (size() > kMostInContact) return false;
+    for (Mask pattern = 0; pattern <= all; ++pattern)
+      if (!is_excluded(pattern) && value_of(pattern, f) != value) return false;
     return true;
   }
 
@@ -119,7 +122,13 @@ class Meeting {
   }
 
  private:
-  using Mask = std::uint32_t;
+  using Mask = std::uint64_t;
+  static constexpr std::size_t kMostMembers = 64;
+
+  bool value_of(Mask pattern, const NearbyFunction& f) {
+    for (std::size_t m = 0; m < size(); ++m) bits_[members_[m].cone] = (pattern >> m & 1) != 0;
+    return f(bits_);
+  }
 
   // ---- the bits between neighbouring half-planes around t
 

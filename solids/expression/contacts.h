@@ -20,8 +20,8 @@ struct Contact {
 /// The first direction near which `f` may have another value than `value`; nothing: it has this value at all points
 /// near the apex that are on no boundary.
 /// @param value  that of f in all directions off the cones: common_value
-/// @cost  for each direction in which n cones meet 2^n values of f, and comparisons of sheets in one half-plane; with
-///        more than kMostInContact cones in one direction, that is a contact
+/// @cost  for each direction in which n cones meet comparisons of sheets in one half-plane, and 2^n values of f unless
+///        all boundaries fit along it; if they do not, more than kMostInContact cones in one direction are a contact
 std::optional<Contact> find_contact(std::span<const TangentCone> cones, const NearbyFunction& f,
                                     bool value);
 inline constexpr std::size_t kMostInContact = 12;

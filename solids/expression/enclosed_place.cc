@@ -63,11 +63,12 @@ std::array<ExactInterval, 2> domain_enclosure(const Patch& patch, const Algebrai
 
 // A component of degree n (along each axis of a square) with coefficients of at most c has derivatives of at most 2 n c
 // and second ones of at most 4 n^2 c. So within r of the middle along both axes a value changes by at most 4 n c r, a
-// derivative by 8 n^2 c r.
+// derivative by 8 n^2 c r. r is twice what it need be: a box may stick out of a triangle by its width, where the bounds
+// grow by much less than a factor of 2.
 std::array<ExactInterval, 3> normal_enclosure(const Patch& patch,
                                               const std::array<ExactInterval, 2>& at) {
-  const Rational half = Rational::power_of_two(-1),
-                 r = half * std::max(at[0].width(), at[1].width()), n(patch.max_degree());
+  const Rational half = Rational::power_of_two(-1), r = std::max(at[0].width(), at[1].width()),
+                 n(patch.max_degree());
   const DomainPlace middle{half * (at[0].lo + at[0].hi), half * (at[1].lo + at[1].hi)};
   const std::vector<Rational> f = homogeneous_at(patch, middle),
                               d[2] = {homogeneous_derivative_at(patch, 0, middle),

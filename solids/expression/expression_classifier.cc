@@ -75,14 +75,20 @@ PointWord ExpressionClassifier::on_walls(const ExactPoint& point, const Formula&
   if (diagram && diagram->is_constant())
     return word_of(diagram->value([](std::uint32_t) { return false; }));
   const std::vector<std::uint32_t> variables = diagram ? diagram->support() : rest.variables();
-  for (const std::uint32_t v : variables)
-    if (operands_[v]->is_open(point)) return open({OpenWord::Reason::kPlace, {v}, {}});
-  if (variables.size() == 1) return PointWord::kOn;
+  if (variables.size() == 1) {
+    const std::uint32_t v = variables[0];
+    return operands_[v]->is_open(point) ? open({OpenWord::Reason::kPlace, {v}, {}})
+                                        : PointWord::kOn;
+  }
   std::vector<TangentCone> cones;
   bool are_flat = true;
   for (const std::uint32_t v : variables) {
     std::optional<TangentCone> cone = operands_[v]->tangent_cone(point);
-    if (!cone) return open({OpenWord::Reason::kDirections, {v}, {}});
+    if (!cone)
+      return open(
+          {operands_[v]->is_open(point) ? OpenWord::Reason::kPlace : OpenWord::Reason::kDirections,
+           {v},
+           {}});
     are_flat = are_flat && cone->is_flat;
     cones.push_back(std::move(*cone));
   }

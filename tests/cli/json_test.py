@@ -56,6 +56,7 @@ class Schema(Folder):
         yield json.loads(run("cover", MODELS / "patches" / "cube.itd", "--sweep", 1, "--json", "-").stdout)
         yield json.loads(run("project", "1,2,3", MODELS / "patches" / "cube.itd", "--json", "-").stdout)
         (self.folder / "points.txt").write_text("0 0 0\n9 9 9\n")
+        yield json.loads(run("boolean", "A", f"A={MODELS / 'patches' / 'knot_multiplicity_nearest_valid.vjson'}", "-o", self.folder / "s.json", "--json", "-").stdout)
         yield json.loads(run("boolean", "!F", f"F={MODELS / 'valid_frame.off'}", "-o", self.folder / "e.json", "--json", "-").stdout)
         yield json.loads(run("classify", MODELS / "valid_frame.off", self.folder / "points.txt", "-o", self.folder / "a", "--json", "-", "--certificate", self.folder / "p").stdout)
         yield json.loads(run("chain", MODELS / "patches" / "cube.itd", "--origin", "auto", "--json", "-").stdout)

@@ -140,6 +140,7 @@ class Render(RenderCase):
         self.assertIn("M3", self.render(MODELS / "m3_missing_face.off", "-o", "x.png", status=1))
         self.render(MODELS / "unreadable_empty.off", "-o", "x.png", status=4)
         self.render(MODELS / "patches" / "not_certified_smallest.vjson", "-o", "x.png", status=3)
+        self.assertIn("--bounds: the box of the picture", self.render("a.off", "-o", "x.png", "--bounds=1e300,1,1,2e300,2,2", status=2))
         self.assertIn("no point of the solid", self.render("a.off", "-o", "x.png", "--bounds", "5,5,5,6,6,6", status=4))
         self.assertFalse((self.folder / "x.png").exists())
 

@@ -181,6 +181,47 @@ TEST(CurvedWalls, AddUpToABall) {
   EXPECT_EQ(at({ratio(1, 3), ratio(1, 2), 0}), "in on on out");
 }
 
+// A tetrahedron, bent by (x, y, z) -> (x, y + z^2 / 4, z): four triangles of degree 2.
+Patches bent_tetrahedron(const std::array<PatchPoint, 4>& corners) {
+  Patches out;
+  for (const auto& [i, j, k] : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+    const std::array<PatchPoint, 3> t = {corners[static_cast<std::size_t>(i)],
+                                         corners[static_cast<std::size_t>(j)],
+                                         corners[static_cast<std::size_t>(k)]};
+    constexpr std::size_t kPairs[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
+    Patch::Triangle map(2, 3, false);
+    for (std::size_t n = 0; n < 6; ++n) {
+      const PatchPoint &a = t[kPairs[n][0]], &b = t[kPairs[n][1]];
+      for (std::size_t c = 0; c < 3; ++c)
+        map.component(static_cast<int>(c))[n] = ratio(1, 2) * (a[c] + b[c]);
+      map.component(1)[n] += ratio(1, 4) * a[2] * b[2];
+    }
+    out.push_back(make_patch(std::move(map)).value());
+  }
+  return out;
+}
+
+// Sixteen of them around one curved edge, more than patterns could be listed for.
+// PROVES POINT-8.T
+TEST(CurvedWalls, AbutInAnyNumberAlongOneEdge) {
+  const int rim[16][2] = {{4, 0},  {4, 2},  {4, 4},  {2, 4},   {0, 4},   {-2, 4},
+                          {-4, 4}, {-4, 2}, {-4, 0}, {-4, -2}, {-4, -4}, {-2, -4},
+                          {0, -4}, {2, -4}, {4, -4}, {4, -2}};
+  Solids wedges;
+  std::vector<Formula> all;
+  for (std::uint32_t i = 0; i < 16; ++i) {
+    const int *a = rim[i], *b = rim[(i + 1) % 16];
+    wedges.push_back(solid(
+        bent_tetrahedron({PatchPoint{0, 0, 0}, {a[0], a[1], 0}, {b[0], b[1], 0}, {0, 0, 2}})));
+    all.push_back(Formula::variable(i));
+  }
+  const ExactPoint p{0, ratio(1, 4), 1};
+  EXPECT_EQ(word(Formula::any_of(all), wedges, p), "in");
+  EXPECT_EQ(word(Formula::all_of(all), wedges, p), "out");
+  all.pop_back();
+  EXPECT_EQ(word(Formula::any_of(all), wedges, p), "on");
+}
+
 // Under a plane curve (x(t), z(t)), in the middle of a slab: x in the curve's range, y in [0,1], z >= -1.
 Patches under_curve(const std::vector<Rational>& x, const std::vector<Rational>& z) {
   const int n = static_cast<int>(x.size()) - 1;

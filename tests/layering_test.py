@@ -62,7 +62,7 @@ def is_installed(path, layers):
     if row and is_checker(row):
         return False
     unlisted = {None, "cli", "python", "models", "hard_models", "named_predicates", "render", "report",
-                "tools", "tests", "fuzz", "bench"}
+                "tools", "tests", "examples", "fuzz", "bench"}
     return path.endswith(".h") and not path.endswith("_internal.h") and row not in unlisted
 
 

@@ -86,12 +86,19 @@ std::optional<bool> AssociatedFunction<Dim>::holds(const PointIn<Dim>& q) const 
 }
 
 template <std::size_t Dim>
+bool AssociatedFunction<Dim>::add_germs(const ChainPoint<Dim>& q,
+                                        internal::GermSum<Dim>& sum) const {
+  bool is_known = true;
+  visit_terms(q, [&](const ChainTerm<Dim>& t) { return is_known = sum.add(t, q); });
+  return is_known;
+}
+
+template <std::size_t Dim>
 std::optional<bool> AssociatedFunction<Dim>::is_off_walls(const PointIn<Dim>& point) const {
   const ScopedDefaultFp nearest;
   const ChainPoint<Dim> q(point);
   internal::GermSum<Dim> sum;
-  bool is_known = true;
-  visit_terms(q, [&](const ChainTerm<Dim>& t) { return is_known = sum.add(t, q); });
+  const bool is_known = add_germs(q, sum);
   if (!is_known) return std::nullopt;
   return sum.is_constant();
 }
@@ -101,8 +108,7 @@ std::optional<Integer> AssociatedFunction<Dim>::regular_value(const PointIn<Dim>
   const ScopedDefaultFp nearest;
   const ChainPoint<Dim> q(point);
   internal::GermSum<Dim> sum;
-  bool is_known = true;
-  visit_terms(q, [&](const ChainTerm<Dim>& t) { return is_known = sum.add(t, q); });
+  const bool is_known = add_germs(q, sum);
   if (!is_known || sum.hyperplanes().size() > kMostWalls) return std::nullopt;
   bool is_in_closure = false;
   std::optional<Integer> greatest, least;
@@ -124,8 +130,7 @@ std::optional<Integer> AssociatedFunction<Dim>::value_beside(const PointIn<Dim>&
   const ScopedDefaultFp nearest;
   const ChainPoint<Dim> q(point);
   internal::GermSum<Dim> sum;
-  bool is_known = true;
-  visit_terms(q, [&](const ChainTerm<Dim>& t) { return is_known = sum.add(t, q); });
+  const bool is_known = add_germs(q, sum);
   if (!is_known) return std::nullopt;
   // Along (1, s, s^2), which is in a hyperplane for at most Dim - 1 values of s.
   std::vector<Sign> sides;

@@ -10,6 +10,10 @@
 #include "solids/pieces/box_hierarchy.h"
 
 namespace veritope {
+namespace internal {
+template <std::size_t Dim>
+class GermSum;
+}
 
 /// The functions of one chain. Immutable: threads may share it.
 template <std::size_t Dim>
@@ -41,6 +45,8 @@ class AssociatedFunction {
  private:
   template <typename Visit>
   void visit_terms(const ChainPoint<Dim>& q, Visit visit) const;
+  // The cells near q, with their coefficients; false if one of them is not known there.
+  bool add_germs(const ChainPoint<Dim>& q, internal::GermSum<Dim>& sum) const;
 
   Chain<Dim> chain_;
   BoxHierarchy boxes_;

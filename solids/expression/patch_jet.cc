@@ -10,12 +10,6 @@
 namespace veritope::internal {
 namespace {
 
-template <std::size_t N>
-std::vector<Rational> homogeneous(const Bezier<Rational, N>& map,
-                                  const std::array<Rational, N>& at) {
-  return evaluate(map, at);
-}
-
 Barycentric<Rational> barycentric(const DomainPlace& at) {
   return {Rational(1) - at[0] - at[1], at[0], at[1]};
 }
@@ -89,7 +83,7 @@ PatchJet jet(const Patch& patch, const DomainPlace& at) {
 }
 
 CurveJet jet(const Patch::Curve& curve, const Rational& at) {
-  const std::vector<Rational> f = homogeneous<1>(curve, {at});
+  const std::vector<Rational> f = evaluate(curve, {at});
   return {quotient_of(f), quotient_derivative(f, homogeneous_derivative<1>(curve, 0, {at}))};
 }
 

@@ -2,10 +2,10 @@
 #include "solids/patches/patch_knots.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "solids/patches/patch_complex_internal.h"
+#include "solids/patches/tied_axes.h"
 #include "splines/bezier_domain.h"
 #include "splines/bspline_domain.h"
 #include "splines/knot_insertion.h"
@@ -99,48 +99,7 @@ bool is_collapsed(const BSplineCurve<Rational>& curve) {
                    {curve.coefficients().begin(), curve.coefficients().end()}));
 }
 
-// Axes that must have the same breaks, some of them reversed relative to their class.
-class TiedAxes {
- public:
-  explicit TiedAxes(std::size_t n) : parent_(n), flips_(n, false), is_symmetric_(n, false) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-  struct Root {
-    std::uint32_t axis;
-    bool flips;  // the axis against its root
-  };
-  Root find(std::uint32_t axis) {
-    Root root{axis, false};
-    for (; parent_[root.axis] != root.axis; root.axis = parent_[root.axis])
-      root.flips = root.flips != flips_[root.axis];
-    bool flips = root.flips;
-    while (axis != root.axis) {  // points the path at the root
-      const bool own = flips_[axis];
-      flips_[axis] = flips;
-      flips = flips != own;
-      axis = std::exchange(parent_[axis], root.axis);
-    }
-    return root;
-  }
-  void tie(std::uint32_t a, std::uint32_t b, bool flips) {
-    const Root x = find(a), y = find(b);
-    const bool between = (x.flips != y.flips) != flips;
-    if (x.axis == y.axis) {
-      is_symmetric_[x.axis] = is_symmetric_[x.axis] || between;
-      return;
-    }
-    parent_[y.axis] = x.axis;
-    flips_[y.axis] = between;
-    is_symmetric_[x.axis] = is_symmetric_[x.axis] || is_symmetric_[y.axis];
-  }
-  bool is_symmetric(std::uint32_t root) const { return is_symmetric_[root]; }
-
- private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<bool> flips_, is_symmetric_;
-};
-
-void tie_equal_sides(std::span<const Surface> surfaces, TiedAxes& axes) {
+void tie_equal_sides(std::span<const Surface> surfaces, internal::TiedAxes& axes) {
   std::vector<std::pair<std::uint64_t, Boundary>> hashed;
   std::vector<Travel> travel(4 * surfaces.size());
   const auto slot = [](const Boundary& b) { return 4 * b.surface + 2 * b.fixed + b.end; };
@@ -184,7 +143,7 @@ void make_set(std::vector<Rational>& breaks) {
 }  // namespace
 
 CommonBreaks common_breaks(std::span<const Surface> surfaces) {
-  TiedAxes axes(2 * surfaces.size());
+  internal::TiedAxes axes(2 * surfaces.size());
   tie_equal_sides(surfaces, axes);
   std::vector<std::vector<Rational>> of_root(2 * surfaces.size());
   for (std::uint32_t a = 0; a < of_root.size(); ++a) {

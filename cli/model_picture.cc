@@ -34,6 +34,12 @@ Result<BoundaryFaces> drawn_faces(const SplineModel& model, bool of_copy) {
   return out;
 }
 
+// Volumes are drawn by their boundary faces.
+bool is_drawn_by_faces(const FileReport& report) {
+  const auto* const facts = std::get_if<PatchFacts>(&report.facts);
+  return report.boundary_faces || (facts != nullptr && facts->vmodel);
+}
+
 Result<Scene> scene_of(const SplineFile& file, const FileReport& report) {
   std::vector<EntityPart> sides;
   std::uint64_t num_sides = 0;
@@ -42,7 +48,7 @@ Result<Scene> scene_of(const SplineFile& file, const FileReport& report) {
     for (const OpenSideFacts& side : facts->open_sides) sides.push_back(side.part);
     num_sides = facts->open.sides;
   }
-  if (!report.boundary_faces) return defect_scene(file.model, findings, sides, num_sides);
+  if (!is_drawn_by_faces(report)) return defect_scene(file.model, findings, sides, num_sides);
   const Result<BoundaryFaces> faces = drawn_faces(file.model, report.copy.has_value());
   if (!faces) return faces.error();
   return defect_scene(file.model, findings, sides, num_sides, &*faces);

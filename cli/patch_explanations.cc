@@ -7,7 +7,7 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<PatchExplanation, 14> kExplanations = {{
+constexpr std::array<PatchExplanation, 15> kExplanations = {{
     {{"patches-crossing", "patches that cross",
       "Two parts of patches, or of one patch, that are different places of the surface have a "
       "common point.",
@@ -164,6 +164,18 @@ constexpr std::array<PatchExplanation, 14> kExplanations = {{
       x      all parameters of one line have the image x
     /   \
    /     \)"},
+    {{"left-handed", "cell that is left-handed",
+      "The Jacobian determinant of a volume is negative: its axes u, v, w are oriented like a left "
+      "hand. As a cell of a V-model it would count negative. Status 3 without --orient auto, which "
+      "reverses such cells and lists them.",
+      "Two axes that were exchanged, a mirrored copy, a writer with another order of axes.",
+      "veritope certify --orient auto FILE; or exchange two axes of the volume.",
+      "MFEM, Gmsh: inverted element, negative Jacobian"},
+     R"(    w
+    |            u and v exchanged: the other hand
+    +--- u
+   /
+  v)"},
     {{"volume-folded", "volume that folds",
       "The map of a volume keeps the orientation of space at one point of its domain and reverses "
       "it at another: its Jacobian determinant has both signs. Such a volume is not mapped one to "

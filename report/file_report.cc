@@ -24,6 +24,8 @@ void forget(PatchFacts& facts) {
   kept.reversed = std::move(facts.reversed);
   kept.boxes_tried = facts.boxes_tried;
   kept.auto_helps = facts.auto_helps;
+  kept.vmodel = std::move(facts.vmodel);
+  if (kept.vmodel) kept.vmodel->singular.clear(), kept.vmodel->volume.reset();
   facts = std::move(kept);
 }
 

@@ -8,10 +8,7 @@
 namespace veritope::report {
 namespace {
 
-Json bounds_json(const std::optional<Interval>& v) {
-  if (!v) return nullptr;
-  return {{"lo", number_json(v->lo())}, {"hi", number_json(v->hi())}};
-}
+using internal::bounds_json;
 
 Json part_json(const EntityPart& part) {
   Json parameters = Json::array();
@@ -132,13 +129,22 @@ Json open_sides_json(const PatchFacts& f) {
   return out;
 }
 
+}  // namespace
+
+namespace internal {
+
+Json bounds_json(const std::optional<Interval>& v) {
+  if (!v) return nullptr;
+  return {{"lo", number_json(v->lo())}, {"hi", number_json(v->hi())}};
+}
+
 void put_patch_source(const FileReport& report, Json& out) {
   out["by_boundary_faces"] = report.boundary_faces.has_value();
-  out["copy"] = internal::copy_json(report.copy);
+  out["copy"] = copy_json(report.copy);
 }
 
 void put_patch_facts(const FileReport& report, Json& out) {
-  const PatchFacts& f = internal::facts_of(report);
+  const PatchFacts& f = facts_of(report);
   out["place"] = box_json(report.fault ? report.fault->place.box : std::nullopt);
   out["counts"] = counts_json(report, f);
   out["defects"] = Json::array();
@@ -151,10 +157,6 @@ void put_patch_facts(const FileReport& report, Json& out) {
   out["volume"] = bounds_json(f.volume);
   out["collar"] = collar_json(f.collar);
 }
-
-}  // namespace
-
-namespace internal {
 
 const PatchFacts& facts_of(const FileReport& report) {
   static const PatchFacts kNone;

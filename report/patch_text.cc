@@ -118,6 +118,7 @@ std::string open_sides_text(const PatchFacts& f) {
 // Commands are not broken, so that they can be copied.
 std::string help_text(const std::string& code, const PatchFacts& facts) {
   const std::string what = code == "side-direction" ? "patches so that their sides fit"
+                           : code == "left-handed"  ? "such cells"
                                                     : "whole shells that face the wrong way";
   const std::string reversing = facts.auto_helps ? unbroken("veritope certify --orient auto FILE") +
                                                        " reverses " + what + "; "

@@ -27,7 +27,10 @@ Json phases_json(const PhaseSeconds& s, bool has_collar) {
 }  // namespace
 
 const internal::ReportKind& internal::kind_of(const FileReport& report) {
-  if (std::holds_alternative<SplineSource>(report.source)) return kPatchReports;
+  if (std::holds_alternative<SplineSource>(report.source)) {
+    const auto* const facts = std::get_if<PatchFacts>(&report.facts);
+    return facts != nullptr && facts->vmodel ? kVModelReports : kPatchReports;
+  }
   if (std::holds_alternative<PlainSource>(report.source)) return kPlainReports;
   return kMeshReports;
 }

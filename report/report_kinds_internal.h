@@ -30,7 +30,8 @@ struct ReportKind {
 
 extern const ReportKind
     kMeshReports;  // mesh_json.cc, mesh_text.cc; files that could not be read, too
-extern const ReportKind kPatchReports;  // patch_json.cc, patch_text.cc
+extern const ReportKind kPatchReports;   // patch_json.cc, patch_text.cc
+extern const ReportKind kVModelReports;  // vmodel_report.cc: volumes whose cells were looked at
 extern const ReportKind kPlainReports;  // plain_report.cc: every other kind
 
 /// The table: a kind of files without a row here has plain reports.

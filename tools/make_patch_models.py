@@ -181,10 +181,10 @@ def vjson_models():
     yield "knot_multiplicity_nearest_valid", walls + [lid_with_double_knot(1)]
 
 
-def cell(corner):
-    """The unit cube as one volume, its corner (1, 1, 1) moved."""
-    points = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
-    words = ["[%s %s %s]" % (corner if p == (1, 1, 1) else p) for p in points]
+def cell(corner, axes=(0, 1, 2)):
+    """The unit cube as one volume, its corner (1, 1, 1) moved; axes: the parameters along x, y and z."""
+    points = [[at[a] for a in axes] for at in ((u, v, w) for w in (0, 1) for v in (0, 1) for u in (0, 1))]
+    words = ["[%s %s %s]" % (corner if p == [1, 1, 1] else tuple(p)) for p in points]
     rows = "\n".join("  " + " ".join(words[i:i + 2]) for i in range(0, 8, 2))
     return f"[OBJECT MODEL\n [TRIVAR BEZIER 2 2 2 E3\n{rows}]\n]\n"
 
@@ -192,6 +192,8 @@ def cell(corner):
 def volume_models():
     yield "volume_folded_smallest", cell(("0.6", "0.6", "0.6"))
     yield "volume_folded_nearest_valid", cell(("0.7", "0.7", "0.7"))
+    yield "left_handed_smallest", cell((1, 1, 1), axes=(1, 0, 2))
+    yield "left_handed_nearest_valid", cell((1, 1, 1))
 
 
 def models():

@@ -14,6 +14,7 @@
 #include "verify/certify/patch_reasons.h"
 #include "verify/certify/refutation_finding.h"
 #include "verify/certify/stand_in.h"
+#include "verify/certify/vmodel_certifier.h"
 #include "verify/format/patch_invalid_certificate.h"
 #include "verify/format/patch_meeting_certificate.h"
 
@@ -292,30 +293,62 @@ class Certification {
   PatchCollarSearch collar_;
 };
 
-}  // namespace
+// Whether the faces of the stand-in are these.
+bool has_faces(const StandIn& stand_in, const std::vector<VFaceNumber>& border) {
+  std::vector<VFaceNumber> faces;
+  for (const VolumeFace& f : stand_in.faces)
+    faces.push_back(static_cast<VFaceNumber>(6 * f.volume + 2 * f.axis + f.end));
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces == border;
+}
 
-Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOptions& options) {
-  if (auto folded = certify_fold(file, options)) return std::move(*folded);
-  Result<std::optional<StandIn>> made = stand_in_of(file);
-  if (!made) {
-    Certified out;
-    out.facts.emplace<PatchFacts>();
-    out.findings = {not_covered(text_of(finding_of(made.error())))};
-    return out;
-  }
-  if (!*made) return Certification(file, {}, false, options).run();
-  StandIn& stand_in = **made;
-  CertifyOptions chosen = options;
+Result<Certified> decided_stand_in(StandIn stand_in, CertifyOptions options) {
   // The volume says which side of its faces is outside: a volume inside another one is no cavity.
-  if (stand_in.is_of_volumes) chosen.orientation = PatchOrientation::kKeep;
+  if (stand_in.is_of_volumes) options.orientation = PatchOrientation::kKeep;
   Result<Certified> out =
-      Certification(stand_in.file, stand_in.faces, stand_in.is_by_own_faces(), chosen).run();
+      Certification(stand_in.file, stand_in.faces, stand_in.is_by_own_faces(), options).run();
   if (!out) return out;
   if (stand_in.is_of_volumes) out->boundary_faces = stand_in.what;
   if (stand_in.is_copy())
     out->copy = {std::move(stand_in.bytes), stand_in.file.sha256, std::move(stand_in.what),
                  stand_in.is_of_volumes};
   return out;
+}
+
+// Cells that are not certified: what is known of the boundary.
+Certified with_boundary(VModelAnswer cells, StandIn stand_in, const CertifyOptions& options) {
+  const bool is_same = has_faces(stand_in, cells.border);
+  Result<Certified> faces = decided_stand_in(std::move(stand_in), options);
+  if (!faces || !is_same) return std::move(cells.certified);
+  if (faces->verdict == Verdict::kInvalid) {
+    std::get<PatchFacts>(faces->facts).vmodel = std::get<PatchFacts>(cells.certified.facts).vmodel;
+    return std::move(*faces);
+  }
+  if (faces->verdict == Verdict::kValid)
+    cells.certified.findings.front().message +=
+        "; its boundary faces bound a solid (veritope convert --faces writes them)";
+  return std::move(cells.certified);
+}
+
+}  // namespace
+
+Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOptions& options) {
+  if (auto folded = certify_fold(file, options)) return std::move(*folded);
+  std::optional<VModelAnswer> cells;
+  if (!options.with_collar) cells = certify_vmodel(file, options);
+  if (cells && cells->certified.verdict == Verdict::kValid) return std::move(cells->certified);
+  Result<std::optional<StandIn>> made = stand_in_of(file);
+  if (!made) {
+    if (cells) return std::move(cells->certified);
+    Certified out;
+    out.facts.emplace<PatchFacts>();
+    out.findings = {not_covered(text_of(finding_of(made.error())))};
+    return out;
+  }
+  if (!*made) return Certification(file, {}, false, options).run();
+  if (cells) return with_boundary(std::move(*cells), std::move(**made), options);
+  return decided_stand_in(std::move(**made), options);
 }
 
 CollarFacts collar_facts(const PatchCollarSearch& search, const PieceForest& forest) {

@@ -1,50 +1,21 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verify/certify/fold_certifier.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include "io/read_model.h"
-#include "io/splines/boundary_faces.h"
-#include "io/splines/write_splines.h"
 #include "robust/base/check.h"
-#include "splines/bspline_domain.h"
 #include "verify/certify/certify_kinds_internal.h"
 #include "verify/certify/file_patches.h"
 #include "verify/certify/parameter_text.h"
-#include "verify/certify/stand_in.h"
 #include "verify/certify/volume_fold.h"
+#include "verify/certify/volume_subject.h"
 #include "verify/format/volume_folded_certificate.h"
 
 namespace veritope {
 namespace {
-
-bool has_only_volumes(const SplineFile& file) {
-  return !file.beyond_default_limits && !uncovered_shapes(file) &&
-         std::all_of(file.model.entities.begin(), file.model.entities.end(),
-                     [](const SplineEntity& e) {
-                       const auto* const volume = std::get_if<ExactVolume>(&e.shape);
-                       return volume != nullptr && volume->dimension() == 3;
-                     });
-}
-
-// The volumes on their domains, with clamped axes.
-SplineModel clamped(const SplineModel& model) {
-  SplineModel out;
-  for (const SplineEntity& entity : model.entities) {
-    const auto& volume = std::get<ExactVolume>(entity.shape);
-    std::array<Rational, 3> begin, end;
-    for (std::size_t a = 0; a < 3; ++a) {
-      begin[a] = volume.axis(a).domain_begin();
-      end[a] = volume.axis(a).domain_end();
-    }
-    out.entities.push_back({restricted(volume, begin, end).value(), {}, {}, entity.place});
-  }
-  return out;
-}
 
 std::string triple_text(const std::array<Rational, 3>& t) {
   return "(" + number_text(t[0]) + ", " + number_text(t[1]) + ", " + number_text(t[2]) + ")";
@@ -111,35 +82,21 @@ Certified certified_fold(const SplineFile& file, const VolumeFold& fold,
 
 bool can_be_certified(const SplineModel& model, const VolumeFold& fold) {
   const auto& volume = std::get<ExactVolume>(model.entities[fold.entity].shape);
-  return are_clamped_volumes(model) && fits_certificate(volume, fold.places[0]) &&
-         fits_certificate(volume, fold.places[1]);
-}
-
-std::optional<Certified> certify_copy(const SplineFile& file, const VolumeFold& fold,
-                                      const CertifyOptions& options) {
-  const std::string bytes = spline_json_bytes(clamped(file.model));
-  const Result<SplineFile> copy = read_spline_bytes(
-      {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "copy.vjson", {});
-  if (!copy || copy->beyond_default_limits || !can_be_certified(copy->model, fold))
-    return std::nullopt;
-  Certified out = certified_fold(*copy, fold, options);
-  const std::size_t n = file.model.entities.size();
-  out.copy = {bytes, copy->sha256, "its " + std::to_string(n) + (n == 1 ? " volume" : " volumes")};
-  return out;
+  return fits_certificate(volume, fold.places[0]) && fits_certificate(volume, fold.places[1]);
 }
 
 }  // namespace
 
 std::optional<Certified> certify_fold(const SplineFile& file, const CertifyOptions& options) {
-  if (file.model.entities.empty() || !has_only_volumes(file)) return std::nullopt;
+  if (!has_only_volumes(file)) return std::nullopt;
   internal::enter(Phase::kDeciding, options);
   const std::optional<VolumeFold> fold = find_fold(file.model);
   if (!fold) return std::nullopt;
-  if (is_read_by_checkers(file) && are_clamped_volumes(file.model)) {
-    if (!can_be_certified(file.model, *fold)) return std::nullopt;
-    return certified_fold(file, *fold, options);
-  }
-  return certify_copy(file, *fold, options);
+  const std::optional<VolumeSubject> subject = volume_subject_of(file);
+  if (!subject || !can_be_certified(subject->file(file).model, *fold)) return std::nullopt;
+  Certified out = certified_fold(subject->file(file), *fold, options);
+  out.copy = subject->certified_copy();
+  return out;
 }
 
 }  // namespace veritope

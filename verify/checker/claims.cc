@@ -8,6 +8,7 @@
 #include "mesh/mesh_claims.h"
 #include "patches/patch_claims.h"
 #include "points/points_claim.h"
+#include "vmodel/vmodel_claim.h"
 
 namespace {
 
@@ -73,6 +74,10 @@ const std::vector<Claim>& all_claims() {
       {"collar-2", "VTS2", kSplines, kStarText,
        " bodies boxes cells edges flipped genus patches shells subject_bytes vertices", "", nullptr,
        check_collar},
+      {"vmodel-1", "VTVM", kVolumes, kStarText,
+       " bodies boxes cells euler genus half_v_surfaces patches pieces reversed shells singular "
+       "subject_bytes v_curves v_points v_surfaces",
+       "", nullptr, check_vmodel},
   };
   return claims;
 }

@@ -9,6 +9,11 @@
 
 namespace veritope::certificate::internal {
 
+/// 0, 1, 2, 3, ... for 0, -1, 1, -2, ...
+inline std::uint64_t zigzag_code(std::int64_t z) {
+  return z >= 0 ? 2 * static_cast<std::uint64_t>(z) : 2 * static_cast<std::uint64_t>(-(z + 1)) + 1;
+}
+
 class ByteWriter {
  public:
   void u8(std::uint8_t v) { bytes_.push_back(v); }
@@ -21,10 +26,7 @@ class ByteWriter {
     for (; v >= 128; v >>= 7) bytes_.push_back(static_cast<unsigned char>(v | 128));
     bytes_.push_back(static_cast<unsigned char>(v));
   }
-  void zigzag(std::int64_t z) {
-    varint(z >= 0 ? 2 * static_cast<std::uint64_t>(z)
-                  : 2 * (static_cast<std::uint64_t>(-(z + 1))) + 1);
-  }
+  void zigzag(std::int64_t z) { varint(zigzag_code(z)); }
   void raw(std::span<const unsigned char> bytes) {
     bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
   }

@@ -122,6 +122,11 @@ constexpr auto kClaims = std::to_array<Claim>({
     {kCollar2Claim, kStarBox2Magic, "collar-2.md", kSplines, "",
      "bodies boxes cells edges flipped genus patches shells vertices", "", encode_as<CollarBody>,
      decode_whole<internal::read_collar_2>, explain_as<CollarBody>},
+    {kVModelClaim, kVModelMagic, "vmodel.md", kVolumes, "",
+     "bodies boxes cells euler genus half_v_surfaces patches pieces reversed shells singular "
+     "v_curves "
+     "v_points v_surfaces",
+     "", encode_as<VModelBody>, decode_whole<internal::read_vmodel>, explain_as<VModelBody>},
 });
 
 void add_keys(std::string_view names, const char* kind, std::map<std::string, std::string>& keys) {

@@ -16,13 +16,15 @@
 #include "verify/format/patch_invalid_certificate.h"
 #include "verify/format/patch_meeting_certificate.h"
 #include "verify/format/points_certificate.h"
+#include "verify/format/vmodel_certificate.h"
 #include "verify/format/volume_folded_certificate.h"
 
 namespace veritope::certificate {
 
 /// The body of a certificate as plain data.
-using AnyBody = std::variant<ValidBody, InvalidBody, ReversedBody, StarBoxBody, CollarBody,
-                             PatchInvalidBody, PatchMeetingBody, PointsBody, VolumeFoldedBody>;
+using AnyBody =
+    std::variant<ValidBody, InvalidBody, ReversedBody, StarBoxBody, CollarBody, PatchInvalidBody,
+                 PatchMeetingBody, PointsBody, VolumeFoldedBody, VModelBody>;
 
 /// Which entities of the model are surfaces; the others are triangles. Bodies of version 1 about patches do not say so
 /// themselves.

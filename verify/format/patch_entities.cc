@@ -33,7 +33,9 @@ Natural read_natural(ByteReader& r, std::uint64_t size) {
   return Natural(bytes.begin(), bytes.end());
 }
 
-Fraction read_fraction(ByteReader& r) {
+}  // namespace
+
+Fraction internal::read_fraction(ByteReader& r) {
   const std::int64_t p = r.zigzag();
   const std::uint64_t q = r.varint();
   if (q != 0)
@@ -50,8 +52,6 @@ Fraction read_fraction(ByteReader& r) {
   return f;
 }
 
-}  // namespace
-
 std::uint64_t num_reversed(const std::vector<PatchEntity>& entities) {
   std::uint64_t n = 0;
   for (const PatchEntity& e : entities) n += e.is_reversed ? 1 : 0;
@@ -64,7 +64,7 @@ void read_breaks(ByteReader& r, PatchEntity& e) {
   for (auto& axis : e.breaks) {
     const std::uint32_t n = r.count(2);
     if (n < 2) r.fail();
-    for (std::uint32_t k = 0; k < n && r.ok(); ++k) axis.push_back(read_fraction(r));
+    for (std::uint32_t k = 0; k < n && r.ok(); ++k) axis.push_back(internal::read_fraction(r));
   }
 }
 

@@ -36,6 +36,7 @@ void write(ByteWriter& w, const std::vector<PatchEntity>& entities);
 /// Writes the breaks of a surface, along u and then along v.
 void write_breaks(ByteWriter& w, const PatchEntity& entity);
 void write_fraction(ByteWriter& w, const Fraction& fraction);
+Fraction read_fraction(ByteReader& r);
 /// Reads what write() writes; false unless there are is_surface.size() entities, with at least two
 /// breaks an axis.
 bool read(ByteReader& r, const std::vector<bool>& is_surface, std::vector<PatchEntity>& out);

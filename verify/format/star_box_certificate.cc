@@ -163,10 +163,6 @@ void read_trees(ByteReader& r, std::uint64_t roots, std::int64_t& last, StarBoxB
     if (!internal::each_node(0, is_leaf, [&] { return r.ok(); })) r.fail();
 }
 
-std::uint64_t zigzag_code(std::int64_t z) {
-  return z >= 0 ? 2 * static_cast<std::uint64_t>(z) : 2 * static_cast<std::uint64_t>(-(z + 1)) + 1;
-}
-
 }  // namespace
 
 Bytes encode(const StarBoxBody& body) {
@@ -191,7 +187,7 @@ Bytes encode(const StarBoxBody& body) {
       w.varint(0);
       continue;
     }
-    w.varint(1 + zigzag_code(symbol - last));
+    w.varint(1 + internal::zigzag_code(symbol - last));
     last = symbol;
   }
   w.u32(static_cast<std::uint32_t>(body.walks.size()));
@@ -206,7 +202,7 @@ Bytes encode(const Subject& subject, const StarBoxQuantities& q, const StarBoxBo
                                      ? (winding ? kReversedShellClaim : kStarBoxClaim)
                                      : (winding ? kReversedShell2Claim : kStarBox2Claim);
   internal::StatementWriter w = internal::state_star_boxes(subject, claim, q, body, bytes);
-  if (winding) w.number("winding", zigzag_code(*winding));
+  if (winding) w.number("winding", internal::zigzag_code(*winding));
   return internal::join(w.take(), bytes);
 }
 

@@ -157,6 +157,7 @@ struct StarBody {
   std::vector<uint32_t> symbols;  // the trees', in the body's order: 0, or 1 + a box
   std::vector<Walk> walks;
   uint64_t num_reversed = 0, num_roots = 0;
+  std::vector<std::vector<Ratio>> breaks;  // two for each surface
 };
 
 // Whether coefficients of this many bits are short enough for a patch of this shape: section 3.

@@ -182,12 +182,12 @@ void StarBytes::points_and_end(Walk* w) {
   w->end_sign = int(at_most(body.natural(1), 1, "a walk ends at sign"));
 }
 
-StarBody read_star_body(const Statement& statement, const std::vector<Entity>& entities, Body bytes,
+StarBody read_star_body(const std::string& magic, const std::vector<Entity>& entities, Body bytes,
                         const std::function<void(StarBytes*)>& rest) {
   StarBody out;
   Reader r(bytes, &out);
-  out.version = statement.claim->magic == std::string("VTS2") ? 2 : 1;
-  const Cuts cuts = read_cuts(entities, statement.claim->magic, out.version == 2, true, &r);
+  out.version = magic == "VTS2" ? 2 : 1;
+  Cuts cuts = read_cuts(entities, magic.c_str(), out.version == 2, true, &r);
   out.num_reversed = cuts.num_reversed;
   std::vector<Place> places;
   std::vector<uint8_t> roots;
@@ -230,5 +230,6 @@ StarBody read_star_body(const Statement& statement, const std::vector<Entity>& e
     made.first_root = out.num_roots;
     out.num_roots += made.num_roots();
   }
+  out.breaks.swap(cuts.breaks);
   return out;
 }

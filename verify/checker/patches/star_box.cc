@@ -166,38 +166,51 @@ std::string check_star_box(const Statement& s, std::string model, const Body& by
   return check_star_boxes(s, model, bytes, nullptr);
 }
 
-std::string check_star_boxes(const Statement& s, const std::string& model, const Body& bytes,
-                             MoreThanBoxes* more) {
-  const bool is_reversed = s.number.count("winding") != 0;
-  StarBody body = read_star_body(s, read_spline_model(model, s.text.at("subject_format")), bytes,
-                                 [more](StarBytes* b) {
-                                   if (more != nullptr) more->read(b);
-                                 });
-  const Gluing x(&body.patches);
-  Units units = Units::of_bytes(s.number.at("subject_bytes") + bytes.left());
-  Forest forest(&body, &units);
+StarCheck::StarCheck(StarBody* whole, uint64_t bytes, bool is_turned)
+    : body(*whole), x(&whole->patches), units(Units::of_bytes(bytes)), forest(whole, &units) {
   check_boxes(body, &forest, &units);
   units.id = "W1";
-  const Walks walks = check_walks(body, x.components, &forest, &units);
-  require(is_reversed || walks.wrong == ~uint64_t(0), "W2", "w is wrong at the start of walk",
+  walks = check_walks(body, x.components, &forest, &units);
+  require(is_turned || walks.wrong == ~uint64_t(0), "W2", "w is wrong at the start of walk",
           walks.wrong);
-  require(!is_reversed || walks.last != 1, "W2", "w(c-) is 1 on the component of the last walk");
-  std::map<std::string, uint64_t> numbers = {{"patches", body.patches.size()},
-                                             {"edges", x.edges},
-                                             {"vertices", x.vertices},
-                                             {"shells", x.components},
-                                             {"bodies", is_reversed ? 0 : walks.bodies},
-                                             {"genus", x.genus},
-                                             {"boxes", body.boxes.size()},
-                                             {"flipped", body.num_reversed}};
-  require(!is_reversed || body.num_reversed == 0, "W3",
+  require(!is_turned || walks.last != 1, "W2", "w(c-) is 1 on the component of the last walk");
+}
+std::map<std::string, uint64_t> StarCheck::numbers() const {
+  return {{"patches", body.patches.size()},
+          {"edges", x.edges},
+          {"vertices", x.vertices},
+          {"shells", x.components},
+          {"bodies", walks.bodies},
+          {"genus", x.genus},
+          {"boxes", body.boxes.size()},
+          {"flipped", body.num_reversed}};
+}
+
+std::string check_star_boxes(const Statement& s, const std::string& model, const Body& bytes,
+                             MoreThanBoxes* more) {
+  const bool is_turned = s.number.count("winding") != 0;
+  StarBody body = read_star_body(s.claim->magic, read_spline_model(model, s.text.at("subject_format")),
+                                 bytes, [more](StarBytes* b) {
+                                   if (more != nullptr) more->read(b);
+                                 });
+  StarCheck check(&body, s.number.at("subject_bytes") + bytes.left(), is_turned);
+  std::map<std::string, uint64_t> numbers = check.numbers();
+  require(!is_turned || body.num_reversed == 0, "W3",
           "flags, by which any solid could be turned:", body.num_reversed);
-  if (is_reversed) numbers["winding"] = 2 * magnitude(walks.last) - (walks.last < 0);
+  if (is_turned) {
+    numbers["bodies"] = 0;
+    numbers["winding"] = 2 * magnitude(check.walks.last) - (check.walks.last < 0);
+  }
+  const std::string text = compared(s, numbers);
+  return more == nullptr ? text : text + ", " + more->check(s, body, check.x, &check.forest, &check.units);
+}
+
+std::string compared(const Statement& s, const std::map<std::string, uint64_t>& numbers) {
   std::string text;
   for (const auto& n : numbers) {
     require(s.number.at(n.first) == n.second, "W3", ("the number of " + n.first + " is").c_str(),
             n.second);
     text += (text.empty() ? "" : ", ") + std::to_string(n.second) + ' ' + n.first;
   }
-  return more == nullptr ? text : text + ", " + more->check(s, body, x, &forest, &units);
+  return text;
 }

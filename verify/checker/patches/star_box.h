@@ -36,6 +36,23 @@ Walks check_walks(const StarBody& body, uint32_t components, Forest* forest, Uni
 void check_polyline(const std::vector<int64_t>& points, int end, uint64_t walk, Forest* forest,
                     Units* units);
 
+// The conditions from P1 to W2 (or, if the body is to be turned, the W2 of that claim), in their order.
+struct StarCheck {
+  StarCheck(StarBody* body, uint64_t bytes, bool is_turned);  // bytes: of the model and the body
+
+  const StarBody& body;
+  const Gluing x;
+  Units units;
+  Forest forest;
+  Walks walks;
+
+  // Those that both kinds of statements have.
+  std::map<std::string, uint64_t> numbers() const;
+};
+
+// W3: the statement has these numbers. The result is their text.
+std::string compared(const Statement& statement, const std::map<std::string, uint64_t>& numbers);
+
 struct MoreThanBoxes {  // what a claim on top of star boxes adds
   virtual ~MoreThanBoxes() {}
   virtual void read(StarBytes* bytes) = 0;  // after the walks

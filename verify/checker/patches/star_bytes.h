@@ -34,8 +34,9 @@ struct StarBytes : Bytes {  // a body with boxes
   uint64_t box_index();
   void points_and_end(Walk* w);  // a walk without its start
 };
-// Reads a body; a claim based on star boxes adds what comes after the walks. All claims: B1, B2.
-StarBody read_star_body(const Statement& statement, const std::vector<Entity>& entities, Body body,
+// Reads a body of the version with this magic; a claim based on star boxes adds what comes after the walks. All claims:
+// B1, B2.
+StarBody read_star_body(const std::string& magic, const std::vector<Entity>& entities, Body body,
                         const std::function<void(StarBytes*)>& rest);
 
 struct Cuts {  // how a body cuts the model into patches

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // star_patches.cc: the patches of docs/certificates/star-box.md, section 3, that the breaks cut the
 // surfaces into, and the limits of B2 on their numbers.
-#include "star.h"
+#include "star_extraction.h"
 
-namespace {
-
-// The numbers times a factor > 0, as integers without a common factor. B2: the least common
-// denominator and the numbers times it have at most this many bits.
-std::vector<Big> integers(const std::vector<Ratio>& v, int64_t most) {
+std::vector<Big> integers_of(const std::vector<Ratio>& v, int64_t most) {
   Big factor = 1, common;
   for (const Ratio& x : v) {
     if (x.d.is_one()) continue;
@@ -26,21 +22,15 @@ std::vector<Big> integers(const std::vector<Ratio>& v, int64_t most) {
   return r;
 }
 
-// The Bezier coefficients on [a, b] of a spline of degree p are matrix times the control points
-// first, ..., first + p, up to a common positive factor. By blossoms: coefficient j is the polar
-// form at p - j times a and j times b, evaluated with the knots around the interval (de Boor), the
-// steps of each level times the same factor.
-struct Extraction {
-  size_t first;
-  std::vector<std::vector<Big>> matrix;
-};
+// By blossoms: coefficient j is the polar form at p - j times a and j times b, evaluated with the knots around the
+// interval (de Boor), the steps of each level times the same factor.
 Extraction extraction(const std::vector<Ratio>& knots, size_t p, const Ratio& a, const Ratio& b) {
   size_t k = p;
   while (compare(knots[k + 1], a) <= 0) ++k;  // knots[k] <= a < b <= knots[k + 1]
   std::vector<Ratio> from_a;
   for (size_t i = k - p + 1; i <= k + p; ++i) from_a.push_back(knots[i] - a);
   from_a.push_back(b - a);
-  const std::vector<Big> t = integers(from_a, kMostKnotBits);
+  const std::vector<Big> t = integers_of(from_a, kMostKnotBits);
   Extraction e = {k - p, {}};
   // Between knots that are p-fold at both ends the coefficients are the control points.
   if (t[0].sign() == 0 && t[p - 1].sign() == 0 && t[p] == t.back() && t[2 * p - 1] == t.back()) {
@@ -69,6 +59,8 @@ Extraction extraction(const std::vector<Ratio>& knots, size_t p, const Ratio& a,
   return e;
 }
 
+namespace {
+
 // The control points i * row + j, i and j from `first` on, p times q of them, homogeneous.
 std::vector<Big> window(const Entity& e, const size_t* first, size_t p, size_t q, size_t row,
                         int64_t unit) {
@@ -83,7 +75,7 @@ std::vector<Big> window(const Entity& e, const size_t* first, size_t p, size_t q
                     : c < components ? e.number(at, c)
                                      : Ratio(1));
       }
-  return integers(r, kMostBits);
+  return integers_of(r, kMostBits);
 }
 std::vector<Big> extracted(const Entity& e, const Extraction& u, const Extraction& v,
                            int64_t unit) {

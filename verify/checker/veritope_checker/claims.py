@@ -20,6 +20,9 @@ OF_SOLIDS = {**OF_MESHES, "vertices": int, "edges": int, "faces": int, "shells":
 OF_POINTS = {**OF_MESHES, "answers_sha256": HEX64, "answers_bytes": int, "decimals": "nearest|exact", "winding": bool,
              "points": int, "on": int, "undecided": int}
 OF_PATCHES = {"patches": int, "flipped": int}
+OF_VMODELS = {name: int for name in (
+    "cells", "pieces", "half_v_surfaces", "v_surfaces", "v_curves", "v_points", "euler", "reversed", "singular", "patches",
+    "shells", "bodies", "genus", "boxes")}
 OF_STARS = {**OF_PATCHES, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}
 
 CLAIMS = {claim.name: claim for claim in (
@@ -38,6 +41,7 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("volume-folded-1", b"VTVF", VOLUMES, {"volumes": int, "entity": int}, "patches.volume_folded_check"),
     Claim("collar-1", b"VTSB", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
     Claim("collar-2", b"VTS2", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
+    Claim("vmodel-1", b"VTVM", VOLUMES, OF_VMODELS, "vmodel.vmodel_check"),
 )}
 
 def lines():

@@ -36,8 +36,17 @@ class Checker:
             raise Reject(condition, why)
 
     def run(self):
-        cert = self.cert
         self.make_patches()
+        self.compare(self.numbers())
+
+    def compare(self, counts):
+        for key, value in counts.items():
+            if self.statement[key] != value:
+                self.fail("W3", "%s are %d, the statement says %d" % (key, value, self.statement[key]))
+
+    def numbers(self):
+        """Tests the conditions from P1 on; returns the numbers of the statement."""
+        cert = self.cert
         edges, vertices, self.chi, self.vertex_of = glue(self.patches, self.fail)
         counts = {"patches": len(self.patches), "edges": edges, "vertices": vertices, "shells": len(self.chi),
                   "bodies": sum(sign for (_, sign), _, _, _ in cert.walks), "genus": sum(1 - c // 2 for c in self.chi),
@@ -52,9 +61,7 @@ class Checker:
             (self.check_mesh_box if box.kind else self.check_star_box)(i, box)
         self.check_walks()
         counts.update(self.check_values())
-        for key, value in counts.items():
-            if self.statement[key] != value:
-                self.fail("W3", "%s are %d, the statement says %d" % (key, value, self.statement[key]))
+        return counts
 
     def make_patches(self):
         for i, (entity, flag, breaks) in enumerate(zip(self.entities, self.cert.flags, self.cert.breaks)):

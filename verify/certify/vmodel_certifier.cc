@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/vmodel_certifier.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robust/base/check.h"
+#include "solids/vmodel/jacobian_sign.h"
+#include "solids/vmodel/v_faces.h"
+#include "verify/certify/certify_kinds_internal.h"
+#include "verify/certify/exact_volume.h"
+#include "verify/certify/file_patches.h"
+#include "verify/certify/parameter_text.h"
+#include "verify/certify/star_box_certifier.h"
+#include "verify/certify/v_singularities.h"
+#include "verify/certify/volume_fold.h"
+#include "verify/certify/volume_subject.h"
+#include "verify/format/vmodel_certificate.h"
+
+namespace veritope {
+namespace {
+
+using certificate::VModelBody;
+using certificate::VModelFace;
+
+constexpr int kMostUnit = 4096;  // of coordinates in a star-box body, as a power of two
+
+Finding v_reason(const char* code, std::string message) {
+  Finding out;
+  out.code = code;
+  out.message = std::move(message);
+  return out;
+}
+EntityPart cell_part(std::uint64_t cell, const std::array<std::array<Rational, 2>, 3>& box) {
+  EntityPart out;
+  out.entity = cell;
+  out.is_of_volume = true;
+  for (const auto& [lo, hi] : box) out.parameters.push_back({round_down(lo), round_up(hi)});
+  return out;
+}
+std::string name_of_cell(std::uint64_t cell) { return "cell " + std::to_string(cell); }
+
+std::vector<VVolume> cells_in(const SplineFile& file) {
+  std::vector<VVolume> out;
+  for (const SplineEntity& e : file.model.entities) out.push_back(std::get<ExactVolume>(e.shape));
+  return out;
+}
+
+Finding finding_of(const VForbiddenCollapse& c) {
+  using Kind = VForbiddenCollapse::Kind;
+  const char* const what = c.kind == Kind::kPartOfFace   ? "a part of a face is collapsed"
+                           : c.kind == Kind::kPartOfEdge ? "a part of an edge is collapsed"
+                                                         : "a line inside of the cell is collapsed";
+  Finding out = v_reason("not-certified", name_of_cell(c.cell) + ": " + what);
+  if (!c.splits.empty())
+    out.message += std::string("; split it at ") + "uvw"[c.splits.front().axis] + " = " +
+                   number_text(c.splits.front().at);
+  out.place.parts.push_back(cell_part(c.cell, c.box));
+  return out;
+}
+Finding finding_of(const JacobianFinding& f) {
+  using Kind = JacobianFinding::Kind;
+  Finding out = v_reason("not-certified", name_of_cell(f.cell) + ": ");
+  switch (f.kind) {
+    case Kind::kFolded: out.message += "the Jacobian determinant has both signs"; break;
+    case Kind::kFlat: out.message += "the Jacobian determinant is zero on a whole piece"; break;
+    case Kind::kLeftHanded: out.message += "the Jacobian determinant is negative"; break;
+    case Kind::kZero:
+      out.message += "the Jacobian determinant is zero at a point inside of a piece or its sides";
+      break;
+    case Kind::kZeroFace:
+      out.message +=
+          "the Jacobian determinant is zero on a face that is glued or inside of the cell";
+      break;
+    case Kind::kUndecided:
+      out.message += "the sign of the Jacobian determinant is not decided near some parameters";
+      break;
+  }
+  out.place.parts.push_back(cell_part(f.cell, f.box));
+  return out;
+}
+
+class VModelCertification {
+ public:
+  VModelCertification(const SplineFile& file, const CertifyOptions& options)
+      : file_(file),
+        options_(options),
+        facts_(out_.facts.emplace<PatchFacts>()),
+        budget_(memory_allowed(options.max_memory)) {}
+
+  VModelAnswer run() {
+    internal::enter(Phase::kDeciding, options_);
+    Result<VModel> model = make_v_model(
+        cells_in(file_), options_.orientation == PatchOrientation::kAuto ? VOrientation::kAuto
+                                                                         : VOrientation::kKeep);
+    if (!model) return undecided(v_reason("not-covered", text_of(finding_of(model.error()))));
+    model_ = &*model;
+    VModelFacts& facts = facts_.vmodel.emplace();
+    facts.counts = model_->counts();
+    for (std::size_t c = 0; c < model_->num_cells(); ++c)
+      if (model_->is_reversed(c)) facts.reversed.push_back(c);
+    for (VFaceNumber f = 0; f < model_->num_faces(); ++f)
+      if (model_->face(f).is_border()) border_.push_back(f);
+    if (auto finding = left_handed()) {
+      facts_.auto_helps = true;
+      return undecided(std::move(*finding));
+    }
+    if (!model_->forbidden().empty()) return undecided(finding_of(model_->forbidden().front()));
+    const VDeterminants determinants = decide_determinants(*model_, {options_.jobs});
+    if (!determinants.is_proved()) return undecided(finding_of(determinants.findings.front()));
+    return decide_boundary(determinants);
+  }
+
+ private:
+  VModelAnswer undecided(Finding finding) {
+    out_.verdict = Verdict::kUndecided;
+    out_.findings.assign(1, std::move(finding));
+    return answer();
+  }
+  VModelAnswer answer() { return {std::move(out_), std::move(border_)}; }
+
+  std::optional<Finding> left_handed() const {
+    const auto& cells = model_->left_handed();
+    if (options_.orientation == PatchOrientation::kAuto || cells.empty()) return std::nullopt;
+    Finding out =
+        v_reason("left-handed",
+                 std::to_string(cells.size()) +
+                     (cells.size() == 1 ? " cell is left-handed: " : " cells are left-handed: ") +
+                     name_of_cell(cells.front()) + (cells.size() == 1 ? "" : " is the first"));
+    out.place.parts.push_back({cells.front(), {}, {}});
+    return out;
+  }
+
+  VModelAnswer decide_boundary(const VDeterminants& determinants) {
+    VFaces border = border_of(*model_);
+    if (border.faces.empty())
+      return undecided(
+          v_reason("not-certified", "every face is glued or collapsed: there is no boundary"));
+    Result<FilePatches> patches = patches_of_border(border);
+    if (!patches) return undecided(v_reason("not-covered", text_of(finding_of(patches.error()))));
+    FilePatches& p = *patches;
+    facts_.patches = p.complex->patches().size();
+    facts_.edges = p.complex->num_edges();
+    facts_.vertices = p.complex->num_vertices();
+    facts_.shells = p.complex->shells().size();
+    FileDecisionOptions how;
+    how.search.budget = &budget_;
+    how.search.cover.work = options_.work;
+    how.search.with_contacts_on_borders = false;
+    if (options_.max_cells) how.search.cover.max_boxes = *options_.max_cells;
+    if (options_.tolerance) how.search.tolerance = *options_.tolerance;
+    const FileDecision decided = decide_file_patches(p, how);
+    facts_.boxes_tried = decided.decision.boxes_tried;
+    if (!decided.decision.is_valid) return undecided(open_finding(p, decided.decision));
+    conclude_valid(p, decided, determinants);
+    return answer();
+  }
+
+  Result<FilePatches> patches_of_border(VFaces& border) const {
+    Result<std::vector<Patch>> pieces = patches_of(border);
+    if (!pieces) return pieces.error();
+    FilePatches out;
+    std::uint32_t first = 0;
+    for (std::size_t i = 0; i < border.faces.size(); ++i) {
+      const VFaceNumber f = border.faces[i];
+      const std::size_t axis = f % 6 / 2, end = f % 2;
+      const auto& across = model_->cell(f / 6).axis(axis);
+      StarBoxEntity entity;
+      entity.first_patch = first;
+      entity.breaks = std::move(border.breaks[i]);
+      entity.face = VolumeFace{f / 6, axis, end, border.axes[i],
+                               end == 0 ? across.domain_begin() : across.domain_end()};
+      first +=
+          static_cast<std::uint32_t>((entity.breaks[0].size() - 1) * (entity.breaks[1].size() - 1));
+      out.entities.push_back(std::move(entity));
+    }
+    Result<PatchComplex> complex = make_patch_complex(std::move(*pieces));
+    if (!complex) return complex.error();
+    out.complex = std::make_unique<PatchComplex>(std::move(*complex));
+    return out;
+  }
+
+  Finding open_finding(const FilePatches& patches, const PatchDecision& decision) const {
+    if (!decision.open)
+      return v_reason("not-certified",
+                      "the boundary faces are not certified: they are refuted as a boundary");
+    Finding out = *decision.open;
+    if (out.code != open_code::kBudget && out.code != open_code::kMemory)
+      out.code = "not-certified";
+    if (out.place.patch) {
+      const auto& entities = patches.entities;
+      const auto after = std::upper_bound(
+          entities.begin(), entities.end(), *out.place.patch,
+          [](std::uint64_t patch, const StarBoxEntity& e) { return patch < e.first_patch; });
+      out.place.source.entity = (after - 1)->face->volume;
+    }
+    return out;
+  }
+
+  void conclude_valid(const FilePatches& patches, const FileDecision& decided,
+                      const VDeterminants& determinants) {
+    internal::enter(Phase::kCertifying, options_);
+    const PatchDecision& decision = decided.decision;
+    out_.verdict = Verdict::kValid;
+    facts_.bodies = decision.bodies;
+    facts_.boxes = decision.cover.boxes.size();
+    facts_.shell_facts = decision.shells;
+    for (const PatchShellFacts& s : decision.shells)
+      facts_.genus += static_cast<std::uint64_t>(s.genus);
+    facts_.volume = decision.volume;
+    facts_.vmodel->singular = singularities_of(*model_, determinants);
+    facts_.vmodel->volume = exact_volume(patches.complex->patches());
+    VModelBody body = body_of(determinants);
+    body.boundary = make_star_box_body(*decided.forest, decision.cover, decision.walks,
+                                       patches.entities, kMostUnit);
+    body.boundary.version = 2;
+    out_.certificate =
+        certificate::encode(subject_of(file_, options_.tool), quantities(determinants), body);
+    out_.claim = certificate::kVModelClaim;
+  }
+
+  VModelBody body_of(const VDeterminants& determinants) const {
+    VModelBody out;
+    for (std::size_t c = 0; c < model_->num_cells(); ++c) {
+      certificate::VModelCell& cell = out.cells.emplace_back();
+      cell.is_reversed = model_->is_reversed(c);
+      for (std::size_t a = 0; a < 3; ++a)
+        for (const Rational& t : model_->added_breaks(c, a))
+          cell.added_breaks[a].push_back(to_fraction(t));
+    }
+    for (VFaceNumber f = 0; f < model_->num_faces(); ++f) {
+      const VFaceRole& role = model_->face(f);
+      VModelFace& face = out.faces.emplace_back();
+      if (role.is_collapsed()) face.kind = VModelFace::Kind::kCollapsed;
+      if (!role.is_glued()) continue;
+      face.kind = role.mate < f ? VModelFace::Kind::kNamed : VModelFace::Kind::kGlued;
+      if (role.mate > f) face.other = role.mate, face.symmetry = role.symmetry;
+    }
+    for (const PieceProof& proof : determinants.proofs)
+      out.determinants.push_back({proof.piece, proof.zeros, proof.tree});
+    return out;
+  }
+  certificate::VModelQuantities quantities(const VDeterminants& determinants) const {
+    const VCounts& n = model_->counts();
+    certificate::VModelQuantities out;
+    out.cells = n.cells, out.pieces = n.pieces;
+    out.half_v_surfaces = n.half_v_surfaces, out.v_surfaces = n.v_surfaces;
+    out.v_curves = n.v_curves, out.v_points = n.v_points, out.euler = n.euler;
+    out.reversed = n.reversed, out.singular = determinants.num_zeros;
+    out.patches = facts_.patches, out.shells = facts_.shells;
+    out.bodies = facts_.bodies, out.genus = facts_.genus;
+    return out;
+  }
+
+  const SplineFile& file_;
+  const CertifyOptions& options_;
+  Certified out_;
+  PatchFacts& facts_;
+  MemoryBudget budget_;
+  const VModel* model_ = nullptr;
+  std::vector<VFaceNumber> border_;
+};
+
+}  // namespace
+
+std::optional<VModelAnswer> certify_vmodel(const SplineFile& file, const CertifyOptions& options) {
+  if (!has_only_volumes(file)) return std::nullopt;
+  const std::optional<VolumeSubject> subject = volume_subject_of(file);
+  if (!subject) return std::nullopt;
+  VModelAnswer out = VModelCertification(subject->file(file), options).run();
+  out.certified.copy = subject->certified_copy();
+  return out;
+}
+
+}  // namespace veritope

@@ -7,7 +7,7 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<PatchExplanation, 15> kExplanations = {{
+constexpr std::array<PatchExplanation, 16> kExplanations = {{
     {{"patches-crossing", "patches that cross",
       "Two parts of patches, or of one patch, that are different places of the surface have a "
       "common point.",
@@ -176,6 +176,18 @@ constexpr std::array<PatchExplanation, 15> kExplanations = {{
     +--- u
    /
   v)"},
+    {{"partial-contact", "face that is a part of a face",
+      "Cells of volumes are glued along whole faces that are equal. Here a face of one cell is a "
+      "part of a face of another, so that the two are not glued, although together the volumes "
+      "bound a solid. Status 3.",
+      "A cell that was split and its neighbour not, parts of an assembly that were meshed apart.",
+      "Split the neighbour at the same parameters, so that whole faces are equal.",
+      "MFEM, deal.II: hanging node; G+Smo: non-conforming interface"},
+     R"(  +-----+-----+
+  |  1  |  2  |
+  +-----+-----+    the upper face of 3 has two parts
+  |     3     |
+  +-----------+)"},
     {{"volume-folded", "volume that folds",
       "The map of a volume keeps the orientation of space at one point of its domain and reverses "
       "it at another: its Jacobian determinant has both signs. Such a volume is not mapped one to "

@@ -9,6 +9,7 @@ usage: make_patch_models.py [FOLDER]      (default: tests/models/patches/ of thi
 import json
 import pathlib
 import sys
+from fractions import Fraction
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -189,11 +190,23 @@ def cell(corner, axes=(0, 1, 2)):
     return f"[OBJECT MODEL\n [TRIVAR BEZIER 2 2 2 E3\n{rows}]\n]\n"
 
 
+def brick(low, high, knots_of_v="0 0 1 1"):
+    """A box as one volume of degree 1; an inner knot of v is in the middle."""
+    n = len(knots_of_v.split()) - 2
+    ys = [low[1] + Fraction(j * (high[1] - low[1]), n - 1) for j in range(n)]
+    points = " ".join(f"[{x} {y} {z}]" for z in (low[2], high[2]) for y in ys for x in (low[0], high[0]))
+    return (f"[OBJECT MODEL\n [TRIVAR BSPLINE 2 {n} 2 2 2 2 E3 [KV 0 0 1 1] [KV {knots_of_v}] [KV 0 0 1 1]\n"
+            f"  {points}]\n]\n")
+
+
 def volume_models():
     yield "volume_folded_smallest", cell(("0.6", "0.6", "0.6"))
     yield "volume_folded_nearest_valid", cell(("0.7", "0.7", "0.7"))
     yield "left_handed_smallest", cell((1, 1, 1), axes=(1, 0, 2))
     yield "left_handed_nearest_valid", cell((1, 1, 1))
+    cubes = [brick((0, 0, 0), (1, 1, 1)), brick((0, 1, 0), (1, 2, 1))]
+    yield "partial_contact_smallest", "".join([*cubes, brick((1, 0, 0), (2, 2, 1), knots_of_v="0 0 1 2 2")])
+    yield "partial_contact_nearest_valid", "".join([*cubes, brick((1, 0, 0), (2, 1, 1)), brick((1, 1, 0), (2, 2, 1))])
 
 
 def models():

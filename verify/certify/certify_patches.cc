@@ -320,6 +320,12 @@ Result<Certified> decided_stand_in(StandIn stand_in, CertifyOptions options) {
 Certified with_boundary(VModelAnswer cells, StandIn stand_in, const CertifyOptions& options) {
   const bool is_same = has_faces(stand_in, cells.border);
   Result<Certified> faces = decided_stand_in(std::move(stand_in), options);
+  if (faces && !is_same && faces->verdict == Verdict::kValid) {
+    Finding& finding = cells.certified.findings.front();
+    finding.code = "partial-contact";
+    finding.message =
+        "faces are not glued because one cell has a part of another's face: " + finding.message;
+  }
   if (!faces || !is_same) return std::move(cells.certified);
   if (faces->verdict == Verdict::kInvalid) {
     std::get<PatchFacts>(faces->facts).vmodel = std::get<PatchFacts>(cells.certified.facts).vmodel;

@@ -14,6 +14,7 @@
 #include "verify/certify/exact_volume.h"
 #include "verify/certify/file_patches.h"
 #include "verify/certify/parameter_text.h"
+#include "verify/certify/refutation_finding.h"
 #include "verify/certify/star_box_certifier.h"
 #include "verify/certify/v_singularities.h"
 #include "verify/certify/volume_fold.h"
@@ -185,8 +186,10 @@ class VModelCertification {
 
   Finding open_finding(const FilePatches& patches, const PatchDecision& decision) const {
     if (!decision.open)
-      return v_reason("not-certified",
-                      "the boundary faces are not certified: they are refuted as a boundary");
+      return v_reason(
+          "not-certified",
+          "the faces that are not glued bound no solid: " +
+              finding_of(*patches.complex, patches.entities, *decision.refutation).message);
     Finding out = *decision.open;
     if (out.code != open_code::kBudget && out.code != open_code::kMemory)
       out.code = "not-certified";

@@ -9,21 +9,17 @@
 #include <span>
 #include <utility>
 
-#include "robust/base/fp_state.h"
+#include "robust/base/fp_guard.h"
 #include "robust/base/fp_strict.h"
+#include "solids/vmodel/jacobian_formulas_internal.h"
 #include "splines/polynomial_filter.h"
 #include "splines/scaled_polynomial.h"
 
 namespace veritope {
 namespace {
 
-using internal::ScaledPolynomial;
-
-template <typename S>
-using Polynomial = ScaledPolynomial<S, 3>;
-// The components of F or of a derivative, without the degree as a factor.
-template <typename S>
-using Vector = std::vector<Polynomial<S>>;
+using internal::JacobianFactor;
+using internal::JacobianRow;
 
 // Binomials of a grid, one vector for each thread and shape that was asked for last.
 template <typename S>
@@ -52,7 +48,7 @@ const std::vector<S>& known_binomials(const Grid<3>& grid) {
 using Sizes = std::array<double, 4>;
 
 template <typename S>
-Vector<S> scaled_vector(Vector<S> v) {
+JacobianRow<S> scaled_row(JacobianRow<S> v) {
   const std::vector<S>& binomials = known_binomials<S>(v[0].grid);
   for (auto& component : v)
     for (std::size_t i = 0; i < binomials.size(); ++i)
@@ -61,8 +57,8 @@ Vector<S> scaled_vector(Vector<S> v) {
 }
 
 template <typename S>
-Vector<S> value_of(const BezierVolume<S>& map) {
-  Vector<S> out;
+JacobianRow<S> value_of(const BezierVolume<S>& map) {
+  JacobianRow<S> out;
   for (int c = 0; c < map.num_components(); ++c) {
     const auto from = map.component(c);
     out.push_back({map.grid(), {from.begin(), from.end()}});
@@ -72,15 +68,15 @@ Vector<S> value_of(const BezierVolume<S>& map) {
 
 // Differences of neighbours along an axis.
 template <typename S>
-Vector<S> derivative_of(const BezierVolume<S>& map, std::size_t axis) {
+JacobianRow<S> derivative_of(const BezierVolume<S>& map, std::size_t axis) {
   const Grid<3> from_grid = map.grid();
   Grid<3> grid = from_grid;
   --grid.size[axis];
   const std::size_t step = from_grid.stride(axis);
-  Vector<S> out;
+  JacobianRow<S> out;
   for (int c = 0; c < map.num_components(); ++c) {
     const auto from = map.component(c);
-    Polynomial<S> p{grid, {}};
+    JacobianFactor<S> p{grid, {}};
     p.c.reserve(grid.count());
     for (std::size_t i = 0; i < grid.size[0]; ++i)
       for (std::size_t j = 0; j < grid.size[1]; ++j) {
@@ -92,71 +88,25 @@ Vector<S> derivative_of(const BezierVolume<S>& map, std::size_t axis) {
   return out;
 }
 
-Sizes sizes_of(const Vector<double>& v) {
+Sizes sizes_of(const JacobianRow<double>& v) {
   Sizes out{};
   for (std::size_t c = 0; c < v.size(); ++c)
     for (const double x : v[c].c) out[c] = std::max(out[c], std::abs(x));
   return out;
 }
 
-template <typename S>
-Polynomial<S> negated(Polynomial<S> p) {
-  for (S& x : p.c) x = -x;
-  return p;
-}
-
-// p_i q_j - p_j q_i
 template <typename Algebra, typename S = typename Algebra::Scalar>
-Polynomial<S> minor_of(const Algebra& algebra, const Vector<S>& p, const Vector<S>& q,
-                       std::size_t i, std::size_t j) {
-  return algebra.blend(p[i], q[j], negated(p[j]), q[i]);
-}
-
-template <typename S>
-Polynomial<S> plus(Polynomial<S> a, const Polynomial<S>& b) {
-  for (std::size_t i = 0; i < a.c.size(); ++i) a.c[i] = a.c[i] + b.c[i];
-  return a;
-}
-
-// The determinant of three derivatives.
-template <typename Algebra, typename S = typename Algebra::Scalar>
-Polynomial<S> determinant3(const Algebra& algebra, const Vector<S>& u, const Vector<S>& v,
-                           const Vector<S>& w) {
-  const auto x = minor_of(algebra, u, v, 1, 2), y = minor_of(algebra, u, v, 2, 0),
-             z = minor_of(algebra, u, v, 0, 1);
-  return plus(algebra.blend(x, w[0], y, w[1]), algebra.product(z, w[2]));
-}
-
-// -det(f, u, v, w), by minors of the first two rows and of the last two.
-template <typename Algebra, typename S = typename Algebra::Scalar>
-Polynomial<S> determinant4(const Algebra& algebra, const Vector<S>& f, const Vector<S>& u,
-                           const Vector<S>& v, const Vector<S>& w) {
-  // Columns i < j of the first two rows and k, l of the last two, whose order makes the sign of (i, j, k, l) odd.
-  constexpr std::size_t kColumns[6][4] = {{0, 1, 3, 2}, {0, 2, 1, 3}, {0, 3, 2, 1},
-                                          {1, 2, 3, 0}, {1, 3, 0, 2}, {2, 3, 1, 0}};
-  Polynomial<S> out;
-  for (std::size_t n = 0; n < 6; n += 2) {
-    const auto &a = kColumns[n], &b = kColumns[n + 1];
-    auto pair =
-        algebra.blend(minor_of(algebra, f, u, a[0], a[1]), minor_of(algebra, v, w, a[2], a[3]),
-                      minor_of(algebra, f, u, b[0], b[1]), minor_of(algebra, v, w, b[2], b[3]));
-    out = n == 0 ? std::move(pair) : plus(std::move(out), pair);
-  }
-  return out;
-}
-
-template <typename Algebra, typename S = typename Algebra::Scalar>
-Polynomial<S> jacobian(const Algebra& algebra, const BezierVolume<S>& map,
-                       std::array<Sizes, 4>* sizes) {
-  std::array<Vector<S>, 4> rows;  // F, F_u, F_v, F_w
+JacobianFactor<S> jacobian(const Algebra& algebra, const BezierVolume<S>& map,
+                           std::array<Sizes, 4>* sizes) {
+  std::array<JacobianRow<S>, 4> rows;  // F, F_u, F_v, F_w
   for (std::size_t r = map.is_rational() ? 0 : 1; r < 4; ++r) {
     rows[r] = r == 0 ? value_of(map) : derivative_of(map, r - 1);
     if constexpr (std::same_as<S, double>)
       if (sizes != nullptr) (*sizes)[r] = sizes_of(rows[r]);
-    rows[r] = scaled_vector(std::move(rows[r]));
+    rows[r] = scaled_row(std::move(rows[r]));
   }
-  return map.is_rational() ? determinant4(algebra, rows[0], rows[1], rows[2], rows[3])
-                           : determinant3(algebra, rows[1], rows[2], rows[3]);
+  return map.is_rational() ? internal::determinant4(algebra, rows[0], rows[1], rows[2], rows[3])
+                           : internal::determinant3(algebra, rows[1], rows[2], rows[3]);
 }
 
 // The sum over all permutations of the products of absolute values, and what it can grow by if each may be greater by
@@ -198,9 +148,8 @@ int jacobian_roundings(const Grid<3>& grid, bool is_rational) {
   if (!is_rational)
     return 3 * kInputs + filter_roundings(less(grid, 1), 2) + filter_roundings(less(grid, 2), 2) +
            1;
-  const Grid<3> v = less(grid, 1), w = less(grid, 2), u = less(grid, 0);
-  return 4 * kInputs + filter_roundings(u, 2) + filter_roundings(w, 2) +
-         filter_roundings(product_grid(v, w), 2) + 2;
+  return 4 * kInputs + filter_roundings(less(grid, 2), 2) + filter_roundings(less(grid, 0), 2) + 1 +
+         filter_roundings(grid, 2) + 1;
 }
 
 std::vector<double> plain_jacobian(const BezierVolume<double>& piece) {
@@ -231,6 +180,7 @@ ExactJacobian exact_jacobian(const BezierVolume<Integer>& piece) {
 }
 
 RoundedJacobian rounded_jacobian(const RoundedPiece& piece) {
+  const ScopedDefaultFp nearest;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::array<Sizes, 4> sizes{}, errors{};
   auto n = jacobian(internal::DoubleAlgebra{}, piece.map, &sizes);
@@ -241,7 +191,9 @@ RoundedJacobian rounded_jacobian(const RoundedPiece& piece) {
     out.values[i] /= binomials[i];
     greatest = std::max(greatest, std::abs(out.values[i]));
   }
-  if constexpr (kFiltersAreCompiled) {
+  static const bool is_ieee =
+      check_fp().has_value();  // of this build: `nearest` takes care of the thread
+  if (kFiltersAreCompiled && is_ieee) {
     const bool is_rational = piece.map.is_rational();
     for (std::size_t r = 0; r < 4; ++r)
       for (std::size_t c = 0; c < 4; ++c) errors[r][c] = (r == 0 ? 1 : 2) * piece.error[c];
@@ -251,7 +203,7 @@ RoundedJacobian rounded_jacobian(const RoundedPiece& piece) {
         (all.size * (k * 0x1p-53) + all.growth + greatest * 0x1p-48) * (1 + 0x1p-10) + 0x1p-600;
     bool is_moderate = true;
     for (const Sizes& row : sizes)
-      for (const double x : row) is_moderate = is_moderate && x < 0x1p200;
+      for (const double x : row) is_moderate = is_moderate && x < 0x1p150;
     if (is_moderate && std::isfinite(greatest)) out.error = bound;
   }
   return out;

@@ -32,7 +32,7 @@ struct RoundedJacobian {
 /// @cost m m2 products of integers, for m control points and m2 coefficients of the squares; six times as many if the
 /// piece is rational
 ExactJacobian exact_jacobian(const BezierVolume<Integer>& piece);
-/// REQUIRES rounding to nearest. Not decided in a build or a thread without it: then the error is infinite.
+/// The rounding mode of the calling thread does not matter. In a build without IEEE arithmetic the error is infinite.
 RoundedJacobian rounded_jacobian(const RoundedPiece& piece);
 
 namespace internal {

@@ -8,6 +8,7 @@
 
 #include "interval/interval.h"
 #include "interval/upward.h"
+#include "solids/vmodel/exact_double_internal.h"
 #include "solids/vmodel/jacobian_sign.h"
 #include "splines/blossom_weights.h"
 
@@ -25,7 +26,8 @@ R point_number(const Rational& x) {
   if constexpr (std::same_as<R, Rational>) {
     return x;
   } else {
-    return enclose(x);
+    const auto exact = internal::as_double(x);
+    return exact ? Interval(*exact) : enclose(x);
   }
 }
 

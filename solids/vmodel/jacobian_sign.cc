@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <utility>
 
-#include "robust/base/fp_guard.h"
 #include "robust/base/parallel.h"
 #include "solids/vmodel/jacobian_tree_internal.h"
 #include "solids/vmodel/piece_cutter.h"
@@ -35,8 +33,6 @@ class CellDecider {
         grid_(cutter_.grid()),
         // A left-handed cell that is not reversed is expected to have one sign, too: then it is left-handed, not folded.
         sign_(model.is_reversed(cell) || model.hand(cell) < 0 ? -1 : 1) {}
-
-  std::size_t cell() const { return cell_; }
 
   void decide(std::size_t number, VDeterminants& out) const {
     const Index3 piece = grid_.index_of(number);
@@ -187,46 +183,60 @@ JacobianFinding left_handed(const VModel& model, std::size_t cell) {
   return out;
 }
 
-std::size_t cell_of_piece(const VModel& model, std::uint64_t piece) {
-  std::size_t low = 0, high = model.num_cells();
-  while (high - low > 1) {
-    const std::size_t middle = (low + high) / 2;
-    (model.first_piece(middle) <= piece ? low : high) = middle;
+// Decides pieces begin, ..., end - 1 of the cell; after a fold nothing more is asked of them.
+void decide_some(const CellDecider& cell, std::size_t begin, std::size_t end, VDeterminants& out) {
+  for (std::size_t number = begin; number < end; ++number) {
+    const std::size_t before = out.findings.size();
+    cell.decide(number, out);
+    if (out.findings.size() > before && out.findings.back().kind == JacobianFinding::Kind::kFolded)
+      return;
   }
-  return low;
 }
 
-VDeterminants decide_pieces(const VModel& model, std::uint64_t begin, std::uint64_t end,
-                            std::size_t max_nodes) {
-  const ScopedDefaultFp nearest;
-  VDeterminants out;
-  std::unique_ptr<CellDecider> decider;
-  for (std::size_t cell = cell_of_piece(model, begin); begin < end; ++cell) {
-    decider = std::make_unique<CellDecider>(model, cell, max_nodes);
-    const std::uint64_t first = model.first_piece(cell),
-                        stop = std::min(end, model.first_piece(cell + 1));
-    for (; begin < stop; ++begin) {
-      const std::size_t before = out.findings.size();
-      decider->decide(begin - first, out);
-      if (out.findings.size() == before ||
-          out.findings.back().kind != JacobianFinding::Kind::kFolded)
-        continue;
-      begin = stop;  // nothing more is asked of this cell here
-      break;
-    }
-  }
-  return out;
+// Cells from `begin` that together have few pieces, or one cell; the end.
+std::size_t end_of_batch(const VModel& model, std::size_t begin) {
+  std::size_t end = begin + 1;
+  while (end < model.num_cells() &&
+         model.first_piece(end + 1) - model.first_piece(begin) <= kPiecesAtOnce)
+    ++end;
+  return end;
+}
+
+std::vector<VDeterminants> decide_large_cell(const VModel& model, std::size_t cell,
+                                             const JacobianOptions& options) {
+  const auto pieces =
+      static_cast<std::size_t>(model.first_piece(cell + 1) - model.first_piece(cell));
+  const CellDecider decider(model, cell, options.max_nodes);
+  std::vector<VDeterminants> parts(num_chunks(pieces, kPiecesAtOnce));
+  parallel_for(pieces, kPiecesAtOnce, options.jobs,
+               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                 decide_some(decider, begin, end, parts[chunk]);
+               });
+  return parts;
 }
 
 }  // namespace
 
 VDeterminants decide_determinants(const VModel& model, const JacobianOptions& options) {
-  const auto pieces = static_cast<std::size_t>(model.num_pieces());
-  std::vector<VDeterminants> parts(num_chunks(pieces, kPiecesAtOnce));
-  parallel_for(pieces, kPiecesAtOnce, options.jobs,
-               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                 parts[chunk] = decide_pieces(model, begin, end, options.max_nodes);
-               });
+  std::vector<std::array<std::size_t, 2>> batches;
+  for (std::size_t begin = 0; begin < model.num_cells(); begin = batches.back()[1])
+    batches.push_back({begin, end_of_batch(model, begin)});
+  const auto is_large = [&](std::size_t cell) {
+    return model.piece_grid(cell).count() > kPiecesAtOnce;
+  };
+  std::vector<std::vector<VDeterminants>> found(batches.size());
+  parallel_for(batches.size(), 1, options.jobs, [&](std::size_t, std::size_t b, std::size_t) {
+    if (is_large(batches[b][0])) return;
+    VDeterminants& out = found[b].emplace_back();
+    for (std::size_t cell = batches[b][0]; cell < batches[b][1]; ++cell)
+      decide_some(CellDecider(model, cell, options.max_nodes), 0, model.piece_grid(cell).count(),
+                  out);
+  });
+  std::vector<VDeterminants> parts;
+  for (std::size_t b = 0; b < batches.size(); ++b) {
+    if (is_large(batches[b][0])) found[b] = decide_large_cell(model, batches[b][0], options);
+    std::move(found[b].begin(), found[b].end(), std::back_inserter(parts));
+  }
   VDeterminants out;
   for (VDeterminants& part : parts) {
     std::move(part.proofs.begin(), part.proofs.end(), std::back_inserter(out.proofs));

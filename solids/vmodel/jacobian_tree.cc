@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "robust/base/fp_guard.h"
 #include "solids/vmodel/jacobian_tree_internal.h"
 #include "splines/scaled_polynomial.h"
 
@@ -259,6 +260,7 @@ TreeResult search(const Grid<3>& grid, TreeNode<S> root, double growth, int sign
 }  // namespace
 
 TreeResult search_tree(const RoundedJacobian& net, int sign, std::size_t max_nodes) {
+  const ScopedDefaultFp nearest;
   double greatest = 0;
   for (const double x : net.values) greatest = std::max(greatest, std::abs(x));
   // A halving adds `degree` rounded sums to each coefficient, all of them at most `greatest` (docs/bounds/jacobian_net.md).

@@ -3,31 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <utility>
 
-#include "robust/base/check.h"
+#include "solids/vmodel/exact_double_internal.h"
 #include "splines/blossom_weights.h"
 #include "splines/scaled_bernstein.h"
 
 namespace veritope {
 namespace {
 
-// The double that the number is, if it is one of moderate size.
-std::optional<double> as_double(const Rational& x) {
-  const Integer &n = x.numerator(), &d = x.denominator();
-  if (n.bit_length() > 53) return std::nullopt;
-  const std::uint64_t exponent = d.bit_length() - 1;
-  if (exponent > 512 || (exponent > 0 && d.trailing_zeros() != exponent)) return std::nullopt;
-  return std::ldexp(static_cast<double>(n.to_int64()), -static_cast<int>(exponent));
-}
-
 struct Rounded {
   double value, error;
 };
 Rounded rounded_number(const Rational& x) {
-  if (const auto exact = as_double(x)) return {*exact, 0};
+  if (const auto exact = internal::as_double(x)) return {*exact, 0};
   const double v = nearest_double(x);
   return {v, std::abs(v) * 0x1p-52 + 0x1p-1000};
 }

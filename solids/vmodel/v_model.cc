@@ -169,7 +169,7 @@ class VModelMaker {
   std::optional<Error> find_breaks() {
     internal::TiedAxes axes(3 * m_.num_cells());
     for (VFaceNumber f = 0; f < m_.num_faces(); ++f) tie_axes(axes, f);
-    cut_axes(axes);
+    if (auto error = cut_axes(axes)) return error;
     m_.first_piece_.push_back(0);
     for (std::size_t c = 0; c < m_.num_cells(); ++c) {
       Grid<3> grid;
@@ -177,10 +177,7 @@ class VModelMaker {
         grid.size[a] =
             internal::breaks_of(m_.cells_[c].axis(a)).size() - 1 + m_.added_breaks(c, a).size();
       const auto count = grid.count_up_to(kMaxVPieces);
-      if (!count || m_.first_piece_.back() + *count > kMaxVPieces)
-        return error_at_entity(
-            Code::kOverLimit, c,
-            "the cells up to this one have over " + std::to_string(kMaxVPieces) + " pieces");
+      if (!count || m_.first_piece_.back() + *count > kMaxVPieces) return too_many_pieces(c);
       m_.piece_grids_.push_back(grid);
       m_.first_piece_.push_back(m_.first_piece_.back() + *count);
     }
@@ -335,7 +332,13 @@ class VModelMaker {
     return out;
   }
 
-  void cut_axes(internal::TiedAxes& axes) {
+  static Error too_many_pieces(std::uint64_t cell) {
+    return error_at_entity(
+        Code::kOverLimit, cell,
+        "the cells up to this one have over " + std::to_string(kMaxVPieces) + " pieces");
+  }
+
+  std::optional<Error> cut_axes(internal::TiedAxes& axes) {
     const auto count = static_cast<std::uint32_t>(3 * m_.num_cells());
     std::vector<std::vector<Rational>> all(count);  // of each root
     for (std::uint32_t a = 0; a < count; ++a) {
@@ -346,10 +349,15 @@ class VModelMaker {
     }
     m_.added_.emplace_back();
     m_.added_of_.assign(m_.num_cells(), {0, 0, 0});
+    std::array<std::uint64_t, 3> breaks{};  // a cell has no fewer pieces than breaks on an axis
     for (std::uint32_t a = 0; a < count; ++a) {
       const auto root = axes.find(a);
-      if (!all[root.axis].empty()) add_missing(a, all[root.axis], root.flips);
+      if (all[root.axis].empty()) continue;
+      breaks[a % 3] += all[root.axis].size();
+      if (breaks[a % 3] > kMaxVPieces) return too_many_pieces(a / 3);
+      add_missing(a, all[root.axis], root.flips);
     }
+    return std::nullopt;
   }
   bool has_inner(std::uint32_t axis) const {
     const auto& knots = m_.cells_[axis / 3].axis(axis % 3);

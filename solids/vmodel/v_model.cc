@@ -27,8 +27,9 @@ std::optional<Error> fault_of_axis(const KnotAxis<Rational>& axis, std::size_t n
   const std::string at = axis_text(number);
   if (axis.degree > kMaxVDegree)
     return error_at_entity(Code::kOverLimit, cell,
-                           at + "the degree " + std::to_string(axis.degree) + " is over " +
-                               std::to_string(kMaxVDegree));
+                           "the volume has the degree " + std::to_string(axis.degree) + " along " +
+                               "uvw"[number] + ", and certificates are about volumes of a degree " +
+                               "of at most " + std::to_string(kMaxVDegree));
   const auto p = static_cast<std::size_t>(axis.degree);
   if (axis.knots.front() != axis.domain_begin() || axis.knots.back() != axis.domain_end())
     return error_at_entity(Code::kBadArgument, cell, at + "the knots are not clamped");

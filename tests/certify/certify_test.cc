@@ -698,7 +698,7 @@ TEST(Certify, VolumesOfTooHighADegreeAreUndecidedThoughTheyFold) {
   for (const char* const rest : {" 0 0]", " 1 0]", " 0 1]", " 1 1]"})
     for (int i = 0; i <= 16; ++i) points += " [" + std::to_string(i == 1 ? -1 : i) + rest;
   expect_undecided(certify(read("[TRIVAR BEZIER 17 2 2 E3" + points + "]\n", "high.itd")).value(),
-                   "not-covered", "entity 0: axis 0: the degree 16 is over 15");
+                   "not-covered", "entity 0: the volume has the degree 16 along u");
 }
 
 // A volume says which side of its faces is outside, so that one inside another is no cavity.
@@ -882,7 +882,7 @@ TEST(Certify, VolumesOfTooHighADegreeAreRefusedBeforeTheirFacesAreMade) {
   expect_undecided(
       certify(read(cube + "[TRIVAR BEZIER 2 17 2 E3" + points + "]\n", "high.itd")).value(),
       "not-covered",
-      "entity 1: the volume has the degree 16 along v, and certificates are about patches of a "
+      "entity 1: the volume has the degree 16 along v, and certificates are about volumes of a "
       "degree of at most 15");
 }
 

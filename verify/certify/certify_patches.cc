@@ -320,7 +320,7 @@ Result<Certified> decided_stand_in(StandIn stand_in, CertifyOptions options) {
 Certified with_boundary(VModelAnswer cells, StandIn stand_in, const CertifyOptions& options) {
   const bool is_same = has_faces(stand_in, cells.border);
   Result<Certified> faces = decided_stand_in(std::move(stand_in), options);
-  if (faces && !is_same && faces->verdict == Verdict::kValid) {
+  if (faces && !is_same && cells.has_proved_cells && faces->verdict == Verdict::kValid) {
     Finding& finding = cells.certified.findings.front();
     finding.code = "partial-contact";
     finding.message =

@@ -112,6 +112,7 @@ class VModelCertification {
     if (!model_->forbidden().empty()) return undecided(finding_of(model_->forbidden().front()));
     const VDeterminants determinants = decide_determinants(*model_, {options_.jobs});
     if (!determinants.is_proved()) return undecided(finding_of(determinants.findings.front()));
+    has_proved_cells_ = true;
     return decide_boundary(determinants);
   }
 
@@ -121,7 +122,7 @@ class VModelCertification {
     out_.findings.assign(1, std::move(finding));
     return answer();
   }
-  VModelAnswer answer() { return {std::move(out_), std::move(border_)}; }
+  VModelAnswer answer() { return {std::move(out_), std::move(border_), has_proved_cells_}; }
 
   std::optional<Finding> left_handed() const {
     const auto& cells = model_->left_handed();
@@ -265,6 +266,7 @@ class VModelCertification {
   MemoryBudget budget_;
   const VModel* model_ = nullptr;
   std::vector<VFaceNumber> border_;
+  bool has_proved_cells_ = false;
 };
 
 }  // namespace

@@ -15,6 +15,7 @@ struct VModelAnswer {
   /// with the reason, cell and place named.
   Certified certified;
   std::vector<VFaceNumber> border;  ///< the faces that are neither glued nor collapsed, ascending
+  bool has_proved_cells = false;    ///< what is not decided, if anything, is the boundary
 };
 
 /// kAuto reverses left-handed cells. Nothing for a file with other entities than volumes in space, or where no

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "models/round_parts.h"
+#include "solids/patches/patch_transform.h"
 #include "verify/format/claims.h"
 
 namespace veritope {
@@ -115,6 +117,35 @@ TEST(ExpressionPointsCertifier, SaysNothingOfUndecidedPoints) {
   EXPECT_EQ(c.codes[0], 12);
   EXPECT_EQ(c.body.num_points, 2u);
   EXPECT_EQ(c.num_uncovered, 0u);
+}
+
+// The number of points of two solids that are not covered.
+std::uint64_t num_uncovered(const patch_shapes::Patches& a, const patch_shapes::Patches& b,
+                            const std::vector<Vec3d>& points, const std::vector<PointWord>& words) {
+  std::vector<ExpressionSolid> both;
+  for (const auto* const shape : {&a, &b}) {
+    ExpressionSolid next;
+    next.operand =
+        patch_operand(std::make_unique<const PatchComplex>(make_patch_complex(*shape).value()));
+    next.box = exact_box({-4, -4, -4}, {4, 4, 4});
+    both.push_back(std::move(next));
+  }
+  ExpressionPointsCertifier certifier(Formula::any_of({kLeft, kRight}), std::move(both), 2, 1);
+  certifier.add(points, {}, words);
+  return certifier.num_uncovered();
+}
+
+// PROVES POINT-7.P
+TEST(ExpressionPointsCertifier, CoversCentresOfDiscsButNoCurvedPoles) {
+  const patch_shapes::Patches cylinder = patch_shapes::disc_cylinder(1),
+                              on_it = patch_shapes::placed(cylinder, 1, {0, 0, 1}),
+                              beside = patch_shapes::placed(cylinder, 1, {Rational(1) / 2, 0, 1}),
+                              ball = patch_shapes::octant_sphere();
+  EXPECT_EQ(num_uncovered(cylinder, on_it, {{0, 0, 1}, {.25, 0, 1}}, {kIn, kIn}), 0u);
+  EXPECT_EQ(num_uncovered(cylinder, beside, {{0, 0, 1}, {.5, 0, 1}}, {kIn, kIn}), 0u);
+  EXPECT_EQ(num_uncovered(cylinder, subdivided(on_it), {{0, 0, 1}, {0, .25, 1}}, {kIn, kIn}), 0u);
+  // The ball touches the cylinder's end from inside, in points of both.
+  EXPECT_EQ(num_uncovered(ball, cylinder, {{0, 0, 1}}, {kOn}), 1u);
 }
 
 TEST(ExpressionPointsCertifier, TakesPointsThatBinary64DoesNotHave) {

@@ -26,7 +26,7 @@ def cube(low, size):
 
 
 LEFT, RIGHT, SMALL = block((0, 0, 0), (1, 1, 1)), block((1, 0, 0), (2, 1, 1)), block((0, 0, 0), (.5, .5, .5))
-BOX = (-1, -1, -1), (3, 3, 3)
+BOX, WIDE = ((-1, -1, -1), (3, 3, 3)), ((-4, -4, -4), (4, 4, 4))
 
 
 class ExpressionTest(unittest.TestCase):
@@ -81,6 +81,21 @@ class Words(ExpressionTest):
             plan = self.plan((1, Q(1, 2), Q(1, 3)), (1, 0, Q(1, 2)), (1, 1, 1), (1, 0, 0), (0, 0, 0), (Q(1, 2),) * 3)
             self.assertEqual([line.word for line in plan.lines], ["in", "on", "on", "on", "on", "in"])
             self.says("ACCEPT", plan)
+
+    # PROVES POINT-7.P
+    def test_patches_around_a_pole(self):
+        """The first corner of a box and the middle of its top, where patches are petals, at whichever side they are collapsed; others are not."""
+        for seed in range(6):
+            fans = forge.FanBox((0, 0, 0), (1, 1, 1), random.Random(seed), lambda face: ("fan", "corner", "plain", None)[(face + seed) % 4])
+            for pole in fans.poles:
+                other = cube(pole if seed % 2 else [c - 1 for c in pole], 1)
+                for tree in ("|", "A", "B"), ("&", "A", "B"), ("-", "A", "B"), ("-", "B", "A"):
+                    self.use(tree, box=WIDE, A=fans, B=other)
+                    word = self.subject.word(pole)
+                    codes = [bytes([forge.ON]) + RNG.choice(solid.places(pole)) for solid in (fans, other)]
+                    codes = b"".join(codes if tree[1] == "A" else codes[::-1])
+                    for said in ("in", "on", "out"):
+                        self.says("ACCEPT" if said == word else "P5", self.line(pole, said, *codes))
 
     def test_a_file_in_a_file_is_beside_it(self):
         inner = forge.Chain(("-", "A", "B"), {"A": LEFT, "B": SMALL}, {"A": "parts/a", "B": "../b"}, BOX)
@@ -198,6 +213,30 @@ class Codes(ExpressionTest):
                     self.says("P5", self.line(q, word, *codes[0], *codes[1]))
                 self.use("A", box=((-3,) * 3, (3,) * 3), A=ball)
                 self.says("ACCEPT", self.line(q, "on", *codes[0]))
+
+    # PROVES POINT-7.P
+    def test_fans_that_do_not_turn(self):
+        for fault in forge.fan_forge.FAULTS:
+            fans = forge.FanBox((0, 0, 0), (1, 1, 1), random.Random(1), lambda face, fault=fault: fault if face == 1 else "plain")
+            q, = fans.poles
+            other = block((q[0], -1, -1), (2, 2, 2))
+            self.use(("|", "A", "B"), box=WIDE, A=fans, B=other)
+            for word in ("in", "on", "out"):
+                plan = self.line(q, word, forge.ON, *fans.places(q)[0], forge.ON, *other.places(q)[0])
+                self.alone("P5", plan)
+            self.use("A", A=fans)                         # without another wall, nothing has to be flat
+            self.says("ACCEPT", self.line(q, "on", forge.ON, *fans.places(q)[0]))
+
+    def test_a_patch_with_two_neighbouring_collapsed_sides(self):
+        """All sides of a sheet are collapsed to one point: each of its corners ends one and starts one."""
+        rows = [[(Q(i * (3 - i), 2), Q(j * (3 - j), 2), 0) if 0 < i < 3 and 0 < j < 3 else (0, 0, 0) for j in range(4)] for i in range(4)]
+        part = type("Part", (), {"entities": [forge.fan_forge.patch_forge.surface(rows)], "size": [(0, 1), (0, 1), (0, 0)]})
+        sheet, other = forge.PatchSolid([], part, random.Random(1)), block((0, -1, -1), (2, 2, 2))
+        sheet.side = lambda q: 0
+        self.use(("|", "A", "B"), box=WIDE, A=sheet, B=other)
+        for word in ("in", "on", "out"):
+            for at in (0, 0), (0, 1), (1, 1), (Q(1, 3), 0):
+                self.alone("P5", self.line((0, 0, 0), word, forge.ON, *forge.place_code(0, at), forge.ON, *other.places((0, 0, 0))[0]))
 
     def test_walls_at_parameters_of_kind_1(self):
         left = cube((0, 0, 0), 1)

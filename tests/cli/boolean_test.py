@@ -9,6 +9,7 @@ import struct
 import unittest
 
 import schema
+from cylinders import cylinder
 from support import MODELS, Folder, run
 
 FACES = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)]
@@ -124,19 +125,6 @@ class Boolean(Expressions):
 
     def test_curved_solids_abut_or_touch(self):
         """Three cylinders of radius 1: the second one stands on the first one, the third one touches both along a line."""
-        def cylinder(x, low, high):
-            entities = []
-            for quarter in range(4):
-                circle = [(1, 0, 1), (1, 1, 1), (0, 2, 2)]                   # x, y and the weight
-                for _ in range(quarter):
-                    circle = [(-b, a, w) for a, b, w in circle]
-                rim = {z: [(a + x * w, b, w * z, w) for a, b, w in circle] for z in (low, high)}
-                axis = {z: [(x * w, 0, w * z, w) for _, _, w in circle] for z in (low, high)}
-                for rows in zip(rim[low], rim[high]), zip(rim[high], axis[high]), zip(axis[low], rim[low]):
-                    entities.append({"kind": "surface", "group": None, "attributes": [], "shape": {
-                        "degrees": [2, 1], "periodic": [False, False], "knots": [["0"] * 3 + ["1"] * 3, ["0", "0", "1", "1"]], "rational": True,
-                        "components": 4, "points": [[str(c) for c in p] for row in rows for p in row]}})
-            return json.dumps({"format": "veritope-spline-1", "groups": [], "entities": entities})
         for name, (x, low, high) in (("low", (0, 0, 2)), ("high", (0, 2, 4)), ("beside", (2, 0, 4))):
             self.file(f"{name}.vjson", cylinder(x, low, high))
         points = "0 0 2", "3/5 4/5 2", "1/4 0 2", "0 1 1", "2 0 2"

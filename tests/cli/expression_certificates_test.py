@@ -20,7 +20,9 @@ CUBE = MODELS / "patches" / "cube.itd"
 POINTS = ("0.5 .5 .5", "1 0.5 0.5", "1 0 0.5", "1 1 1", "0.25 0.5 0.5", "9 9 9", "0 1/3 0x1p-2", "1/3 1/7 1/9")
 
 
-class Certificates(boolean_test.Expressions):
+class AnsweredExpressions(boolean_test.Expressions):
+    """Answers with certificates, and both checkers."""
+
     def answer(self, expression, *bindings, points=POINTS, options=(), status=0):
         """Writes e.json, answers, c; the JSON report."""
         self.boolean(expression, *bindings, "-o", "e.json")
@@ -38,6 +40,8 @@ class Certificates(boolean_test.Expressions):
             self.assertEqual(done.returncode, status, done.stdout + done.stderr)
             self.assertIn(said, done.stdout + done.stderr)
 
+
+class Certificates(AnsweredExpressions):
     def change(self, name, *pairs):
         text = (self.folder / name).read_text()
         for old, new in pairs:

@@ -9,6 +9,7 @@ import json
 import random
 from fractions import Fraction as Q
 
+import fan_forge
 import forge
 import patch_points_forge as curved
 import points_forge
@@ -43,7 +44,9 @@ CELLS = list(CELLS.values())
 
 
 class Solid:
-    """planes: (n, c) of the half-spaces n.x <= c, n a normal of the list or its negative.  data: the file."""
+    """planes: (n, c) of the half-spaces n.x <= c, n a normal of the list or its negative.  data: the file.  poles: points of the boundary
+    to which sides of patches are collapsed."""
+    poles = ()
 
     def __init__(self, planes, low, high, data, form):
         self.planes, self.low, self.high, self.data, self.form = planes, low, high, data, form
@@ -128,6 +131,50 @@ class BallSolid(PatchSolid):
         return self.known.get(tuple(q), [])
 
 
+class FanBox(PatchSolid):
+    """A box, some of whose faces consist of petals around one of their points. kind_of: says which, of the number of a face: plain, fan,
+    corner, a fault of fan_forge, or None for a rose."""
+
+    def __init__(self, low, high, rng, kind_of=None):
+        points, quads = box_corners(low, high)
+        petals, self.pole_of, self.known = [], {}, {}
+        for face, quad in enumerate(quads):
+            corners = [points[v] for v in quad]
+            turn, kind = rng.randrange(4), kind_of(face) if kind_of else rng.choice(("plain", "fan", "fan", "corner"))
+            corners = corners[turn:] + corners[:turn]
+            if kind == "plain":
+                petals.append(fan_forge.Petal(fan_forge.plain(corners), None))
+                continue
+            if kind in ("fan", "corner"):
+                a, b, _, d = corners
+                s, t = (0, 0) if kind == "corner" else (rng.choice((Q(1, 2), Q(1, 2), Q(1, 4), Q(1, 3))) for _ in range(2))
+                pole = fan_forge.plus(a, fan_forge.plus(forge.sub(b, a), forge.sub(d, a), s, t))
+                found = fan_forge.fan(corners, pole, rng)
+            else:                                         # the name of a fault, or None
+                found, pole = fan_forge.rose(corners, rng, kind)
+                self.known[tuple(pole)] = found
+            petals += found
+            self.pole_of[face] = pole
+        self.poles = list(self.pole_of.values())
+        rng.shuffle(petals)
+        self.petals, self.rng = petals, rng
+        part = curved.Part([p.entity for p in petals], None, list(zip(low, high)))
+        super().__init__(box_planes(low, high), part, random.Random(0))
+        order = {id(e): n for n, e in enumerate(self.entities)}
+        self.petals.sort(key=lambda p: order[id(p.entity)])
+
+    def places(self, q):
+        """All of a point on none but plain and even petals; of the pole of a rose, too."""
+        found = []
+        for number, p in enumerate(self.petals):
+            at = parameters_of(p.entity, q) if p.place_at_pole is None else p.solve(q, self.rng)
+            if at is None and p in self.known.get(tuple(q), ()):
+                at = p.place_at_pole(self.rng)
+            if at is not None:
+                found.append(place_code(number, at))
+        return found
+
+
 def place_code(number, at):
     return forge.varint(number) + b"\0" + b"".join(map(curved.patch_forge.rational, at))
 
@@ -152,9 +199,14 @@ def box_planes(low, high):
     return [(tuple(s * (i == k) for i in range(3)), s * side[k]) for k in range(3) for s, side in ((-1, low), (1, high))]
 
 
-def box_mesh(low, high):
+def box_corners(low, high):
+    """(corners, those of each face)"""
     points = [tuple((low, high)[i >> k & 1][k] for k in range(3)) for i in range(8)]
-    quads = (0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)
+    return points, ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6))
+
+
+def box_mesh(low, high):
+    points, quads = box_corners(low, high)
     return points, [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
 
 
@@ -213,7 +265,9 @@ def some_solid(rng, as_indexed):
         planes, points = tetrahedron(tuple(low), rng.randint(1, 3), rng.randrange(3))
         return MeshSolid(planes, points, oriented(points), rng, as_indexed)
     half = Q(rng.randint(1, 3), 2)
-    if r < .92:
+    if r < .86:
+        return FanBox(low, [c + rng.randint(1, 2) for c in low], rng)
+    if r < .95:
         middle = [c + half for c in low]
         part = curved.cube(rng.choice((1, 1, 2))).placed([half] * 3, middle)
         return PatchSolid(box_planes(low, [c + 2 * half for c in low]), part, rng)
@@ -533,6 +587,9 @@ def interesting(subject, rng, count):
         if rng.random() < .5:                             # within its box
             v = rng.choice(subject.variables)
             q = [min(max(c, Q(a)), Q(b)) for c, a, b in zip(q, v.low, v.high)]
+        poles = [pole for v in subject.variables for pole in v.poles]
+        if poles and rng.random() < .3:
+            q = list(map(Q, rng.choice(poles)))
         yield q
 
 

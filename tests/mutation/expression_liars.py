@@ -16,6 +16,7 @@ from fractions import Fraction
 
 import attacks
 import expression_forge as forge
+import fan_forge
 import points_forge
 
 CONDITIONS = ["A1", "A2", "O1", "O2", "B1", "P1", "P2", "P3", "P4", "P5"]
@@ -332,6 +333,34 @@ def curved_walls(rng):
         yield "curved_wall", *Case(subject).with_answers(forge.Plan(subject, [forge.Line(tokens, word, beliefs.codes())], "exact"))
 
 
+def at_pole(rng, fault=None):
+    """(case, plan of the true word) of the pole of a rose on a box, where a block has a wall, too. fault: of a petal there."""
+    face, size = rng.randrange(6), [rng.randint(1, 3) for _ in range(3)]
+    fans = forge.FanBox((0, 0, 0), size, rng, lambda number: fault if number == face else rng.choice(("plain", None, "fan", "corner")))
+    q = fans.pole_of[face]
+    low, high, k = [c - 1 for c in q], [c + 1 for c in q], next(k for k in range(3) if q[k] in (0, size[k]))
+    k = rng.choice((k, rng.randrange(3)))
+    rng.choice((low, high))[k] = q[k]
+    points, tris = forge.box_mesh(low, high)
+    block = forge.MeshSolid(forge.box_planes(low, high), points, tris, rng, False)
+    tree = rng.choice((("|", "A", "B"), ("&", "A", "B"), ("-", "A", "B"), ("-", "B", "A")))
+    subject = forge.Subject(forge.Chain(tree, {"A": fans, "B": block}, {"A": "fans", "B": "block"}, ([-2] * 3, [5] * 3)), False)
+    return Case(subject), forge.Plan(subject, [forge.true_line(subject, q, rng, "exact")], "exact")
+
+
+def bad_fans(rng):
+    """A petal is not as the page has it; whatever the word, its fan proves nothing. Without a fault: a false word."""
+    for fault in fan_forge.FAULTS:
+        case, plan = at_pole(rng, fault)
+        codes = forge.Beliefs(case.subject, plan.lines[0].point("exact"), rng)
+        codes.conclusion()
+        for word in WORDS:
+            yield "fan_" + fault, *case.with_answers(plan.with_line(0, word=word, codes=codes.codes()))
+    case, plan = at_pole(rng)
+    for word in WORDS:
+        yield from lies("fan_word", case, [plan.with_line(0, word=word)] if covered(plan) else [])
+
+
 def wrong_numbers(rng):
     """Numbers of the body, bytes after it, flags and numbers of the statement."""
     case, plan = random_case(rng)
@@ -380,7 +409,8 @@ def expression_attacks(rng):
         return too_much_work(rng)
     if r < .2:
         return false_lines(rng)
-    sources = other_files, other_files, changed_files, narrow_boxes, split_variables, open_meshes, curved_walls, wrong_numbers, shells
+    sources = (other_files, other_files, changed_files, narrow_boxes, split_variables, open_meshes, curved_walls, bad_fans, bad_fans, wrong_numbers,
+               shells)
     return rng.choice(sources)(rng)
 
 
@@ -395,6 +425,8 @@ def honest(rng):
     if plan.lines[number].codes:
         marked = plan.with_line(number, word=rng.choice(WORDS), codes=bytes([forge.NOT_COVERED]))
         yield "expression_not_covered", *case.with_answers(marked)
+    case, plan = at_pole(rng)
+    yield "expression_pole", *case.with_answers(plan)
 
 
 def beside(py, files):

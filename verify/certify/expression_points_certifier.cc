@@ -96,17 +96,22 @@ class CertifiedSolid {
     if (known.place && !known.place->is_located) return std::nullopt;
     const std::optional<TangentCone> cone = solid_.operand->tangent_cone(p);
     if (!cone || !cone->is_flat) return std::nullopt;
-    // Checkers take no wedge at a collapsed side.
-    if (std::any_of(cone->sheets.begin(), cone->sheets.end(),
-                    [](const ConeSheet& sheet) { return sheet.pole.has_value(); }))
-      return std::nullopt;
     const std::uint64_t corners = parts_.mesh != nullptr ? 3 : 4;  // of a patch, at most
     std::uint64_t out = 0;
-    for (const Sector& s : cone->sectors) out += corners - s.inward.size();
+    for (std::size_t i = 0; i < cone->sectors.size(); ++i) {
+      const ConeSheet& sheet = cone->sheets[i];
+      // At a collapsed side checkers take one wedge, if the patch leaves it within less than a half turn.
+      if (sheet.pole && !is_uncut(sheet)) return std::nullopt;
+      out += sheet.pole ? 1 : corners - cone->sectors[i].inward.size();
+    }
     return out;
   }
 
  private:
+  static bool is_uncut(const ConeSheet& sheet) {
+    return sheet.pole_part[0].sign() == 0 && sheet.pole_part[1] == Rational(1);
+  }
+
   const ExpressionSolid solid_;
   const OperandParts parts_;
   std::optional<MeshDirections> mesh_directions_;

@@ -45,13 +45,14 @@ Big part_passed(const DomainPoint& p, int e) {
   return e < 2 ? p.at[e % 2] : p.unit - p.at[e % 2];
 }
 // Corner c of a tensor patch is where its side c starts; of a triangle, its corner c.
+// The sides that start and that end at a corner.
+int side_from(const Shape& s, int c) { return s.is_triangle ? (c + 2) % 3 : c; }
+int side_to(const Shape& s, int c) { return s.is_triangle ? (c + 1) % 3 : (c + 3) % 4; }
+int corner_from(const Shape& s, int e) {
+  return s.is_triangle ? (e + 1) % 3 : e;
+}  // where side e starts
 DomainPoint place_at_corner(const Patch& patch, int c) {
-  return place_on_side(patch, patch.shape.is_triangle ? (c + 2) % 3 : c, 0, 1);
-}
-bool has_collapsed_side_at(const Patch& patch, int c) {
-  const int n = patch.shape.sides();
-  return patch.is_collapsed(patch.shape.is_triangle ? (c + 1) % n : c) ||
-         patch.is_collapsed((c + n - 1) % n);
+  return place_on_side(patch, side_from(patch.shape, c), 0, 1);
 }
 
 typedef std::vector<BigVec> Net;
@@ -112,31 +113,65 @@ Derivatives triangle_derivatives(const Net& net, const Shape& s, const DomainPoi
   return Derivatives{triangle_value(first, s, at, s.p - 1), triangle_value(second, s, at, s.p - 1)};
 }
 
-// The corners of the domain as seen from the point, mapped by the derivatives there; false if the patch is not flat.
-bool add_patch(const DomainPoint& at, const RationalPoint& q, Cone* cone) {
-  const Patch& patch = *at.patch;
+// The control points as seen from the point, times their weights.
+Net net_around(const Patch& patch, const RationalPoint& q) {
   Net net;
   for (size_t i = 0; i < patch.net.size(); i += 4) {
     net.emplace_back();
     for (size_t k = 0; k < 3; ++k)
       net.back().x[k] = q.d * patch.net[i + k] - patch.net[i + 3] * q.n[k];
   }
-  const Derivatives d = at.is_triangle() ? triangle_derivatives(net, patch.shape, at)
-                                         : tensor_derivatives(net, patch.shape, at);
-  const BigVec normal = cross(d.a, d.b);
+  return net;
+}
+// Whether all are in the plane of a normal other than 0.
+bool is_flat(const Net& net, const BigVec& normal) {
   bool has_normal = false;
   for (const Big& x : normal.x) has_normal = has_normal || !x.m.empty();
-  if (!has_normal) return false;
-  for (const BigVec& r : net)
-    if (side(normal, r) != 0) return false;
+  for (const BigVec& r : net) has_normal = has_normal && side(normal, r) == 0;
+  return has_normal;
+}
+
+// The corners of the domain as seen from the point, mapped by the derivatives there; false if the patch is not flat.
+bool add_patch(const DomainPoint& at, const RationalPoint& q, Cone* cone) {
+  const Net net = net_around(*at.patch, q);
+  const Derivatives d = at.is_triangle() ? triangle_derivatives(net, at.patch->shape, at)
+                                         : tensor_derivatives(net, at.patch->shape, at);
+  if (!is_flat(net, cross(d.a, d.b))) return false;
   Net corners;
   for (int c = 0; c < at.corners(); ++c) {
-    const DomainPoint to = place_at_corner(patch, c);
+    const DomainPoint to = place_at_corner(*at.patch, c);
     const int first = at.is_triangle() ? 1 : 0;
     corners.push_back(sum(at.unit * to.at[first] - at.at[first], d.a,
                           at.unit * to.at[first + 1] - at.at[first + 1], d.b));
   }
   add_polygon(corners, cone);
+  return true;
+}
+
+// The number of the k-th control point in the row next to side e, in its direction of travel.
+int next_to_side(const Shape& s, int e, int k) {
+  if (s.is_triangle)
+    return e == 0 ? s.at3(s.p - 1 - k, k) : e == 1 ? s.at3(1, s.p - 1 - k) : s.at3(k, 1);
+  return e == 0   ? s.at(k, 1)
+         : e == 1 ? s.at(s.p - 1, k)
+         : e == 2 ? s.at(s.p - k, s.q - 1)
+                  : s.at(1, s.q - k);
+}
+// Side e is collapsed to the point; false if the patch is not flat, or the row next to the side does not turn there.
+bool add_fan(const Patch& patch, int e, const RationalPoint& q, Cone* cone) {
+  const Net net = net_around(patch, q);
+  Net fan;
+  for (int k = patch.shape.side_degree(e) - (patch.shape.is_triangle ? 1 : 0); k >= 0; --k)
+    fan.push_back(net[size_t(next_to_side(patch.shape, e, k))]);
+  const BigVec normal = cross(fan.front(), fan.back());
+  if (!is_flat(net, normal)) return false;
+  for (size_t k = 1; k < fan.size(); ++k)
+    for (size_t i = 0; i < k; ++i) {
+      const int turn = side(normal, cross(fan[i], fan[k]));
+      const bool is_at_end = k == 1 || i + 2 == fan.size();
+      if (turn < 0 || (is_at_end && turn == 0)) return false;
+    }
+  add_polygon({fan.front(), fan.back(), BigVec()}, cone);
   return true;
 }
 
@@ -147,20 +182,21 @@ class PatchCone {
       : surface_(surface), q_(q), place_(place), units_(*units), to_(*to) {}
 
   bool add(const DomainPoint& at) {
-    const uint32_t number = uint32_t(at.patch - surface_.patches().data());
-    units_.add(surface_.units_at(number, q_, place_));
+    spend_on(*at.patch);
     return add_patch(at, q_, &to_);
   }
+  // Corners at which collapsed sides start stand for these, and those at which they end for nothing.
   bool add_vertex(uint32_t vertex) {
     for (uint32_t at : surface_.corners_at(vertex)) {
       const Patch& p = surface_.patches()[at / 4];
-      if (has_collapsed_side_at(p, int(at % 4)) || !add(place_at_corner(p, int(at % 4))))
+      const int from = side_from(p.shape, int(at % 4)), to = side_to(p.shape, int(at % 4));
+      if (p.is_collapsed(to)) continue;
+      if (!(p.is_collapsed(from) ? add_pole(p, from) : add(place_at_corner(p, int(at % 4)))))
         return false;
     }
     return true;
   }
   bool add_edge(const DomainPoint& at, int e) {
-    if (at.patch->is_collapsed(e)) return false;
     const Big t = part_passed(at, e);
     for (uint32_t side : surface_.sides_of(at.patch->pair[e])) {
       const Patch& p = surface_.patches()[side / 4];
@@ -171,6 +207,15 @@ class PatchCone {
   }
 
  private:
+  bool add_pole(const Patch& patch, int e) {
+    spend_on(patch);
+    return add_fan(patch, e, q_, &to_);
+  }
+  void spend_on(const Patch& patch) {
+    const uint32_t number = uint32_t(&patch - surface_.patches().data());
+    units_.add(surface_.units_at(number, q_, place_));
+  }
+
   const PatchSurface& surface_;
   const RationalPoint& q_;
   const PlaceOnPatch& place_;
@@ -196,8 +241,9 @@ bool find_patch_cone(const PatchSurface& surface, const RationalPoint& q, const 
     if (at.is_on_side(e)) sides.push_back(e);
   PatchCone of(surface, q, place, units, cone);
   if (sides.empty()) return of.add(at);
-  if (sides.size() == 1) return of.add_edge(at, sides[0]);
-  int c = 0;  // the corner where the point is
+  const bool is_on_side = sides.size() == 1;
+  if (is_on_side && !patch.is_collapsed(sides[0])) return of.add_edge(at, sides[0]);
+  int c = is_on_side ? corner_from(patch.shape, sides[0]) : 0;  // the corner where the point is
   for (int i = 0; i < patch.shape.sides(); ++i) {
     const DomainPoint corner = place_at_corner(patch, i);
     bool is_here = true;

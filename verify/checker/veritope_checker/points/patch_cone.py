@@ -18,11 +18,10 @@ def cone_at(model, point, patch, at, work):
             return None
         at = (Fraction(1, 2 if is_tensor else 3),) * 2
     cone = []
-    for number, place in places(model, patch, tuple(at)):
-        if number is None:
-            return None
+    for number, place, pole in places(model, patch, tuple(at)):
         work.add_on(model.grids[number], point.bits, at)
-        wedges = wedges_at(model.patches[number], point, place)
+        at_pole, own = pole is not None, model.patches[number]
+        wedges = wedges_at_pole(own, point, pole) if at_pole else wedges_at(own, point, place)
         if wedges is None:
             return None
         cone += wedges
@@ -44,39 +43,64 @@ def part_passed(patch, s, at):
     return t if tuple(on_side(patch, s, t)) == at else None
 
 def places(model, patch, at):
-    """(number of a patch, place) of all patches at the face, edge or vertex; (None, None) at a collapsed side."""
+    """(number of a patch, place, None or the side collapsed to it) for each patch at the face, edge or vertex."""
     own = model.patches[patch]
     passed = [(s, part_passed(own, s, at)) for s in range(own.num_sides)]
     passed = [(s, t) for s, t in passed if t is not None]
     if not passed:
-        yield patch, at
-    elif len(passed) == 1:
+        yield patch, at, None
+    elif len(passed) == 1 and own.sides[passed[0][0]]:
         (s, t), = passed
-        for number, other in model.sides[own.sides[s][0]] if own.sides[s] else [(None, None)]:
+        for number, other in model.sides[own.sides[s][0]]:
             is_own = (number, other) == (patch, s)
-            yield number, None if number is None else at if is_own else on_side(model.patches[number], other, 1 - t)
+            yield number, at if is_own else on_side(model.patches[number], other, 1 - t), None
     else:
-        vertex = model.vertices[4 * patch + corners_of(own).index(at)]
-        for number, corner in model.corners[vertex]:
+        corner = own.corner(passed[0][0], 0) if len(passed) == 1 else corners_of(own).index(at)
+        for number, corner in model.corners[model.vertices[4 * patch + corner]]:
             other = model.patches[number]
-            if any(other.sides[s] is None and corner in (other.corner(s, 0), other.corner(s, 1))
-                   for s in range(other.num_sides)):
-                number = None
-            yield number, corners_of(other)[corner]
+            start, end = (next(s for s in range(other.num_sides) if other.corner(s, end) == corner) for end in (0, 1))
+            if other.sides[end]:
+                yield number, corners_of(other)[corner], None if other.sides[start] else start
+
+def net_around(patch, point):
+    """The control points relative to the point: three arrays."""
+    return [[[point.d * x - w * n for x, w in zip(row, weights)] for row, weights in zip(a, patch.net[3])]
+            for a, n in zip(patch.net, point.n)]
+
+def is_flat(nets, normal):
+    return any(normal) and not any(dot(normal, r) for rows in zip(*nets) for r in zip(*rows))
 
 def wedges_at(patch, point, at):
     """The wedges of a patch at a place where it has the point; None if it is not flat."""
-    nets = [[[point.d * x - w * n for x, w in zip(row, weights)] for row, weights in zip(a, patch.net[3])]
-            for a, n in zip(patch.net, point.n)]
+    nets = net_around(patch, point)
     both = [derivatives(a, patch.is_tensor) for a in nets]
     value, factors = (tensor_value, patch.degrees) if patch.is_tensor else (triangle_value, (1, 1))
     unit = at[0].denominator * at[1].denominator
     a, b = (tuple(factors[k] * value(of[k], at, unit) for of in both) for k in (0, 1))
-    normal = cross(a, b)
-    if not any(normal) or any(dot(normal, r) for rows in zip(*nets) for r in zip(*rows)):
+    if not is_flat(nets, cross(a, b)):
         return None
     steps = [[int(unit * (x - y)) for x, y in zip(corner, at)] for corner in corners_of(patch)]
     return wedges_of([tuple(s * x + t * y for x, y in zip(a, b)) for s, t in steps])
+
+def wedges_at_pole(patch, point, s):
+    """The wedges of a patch with side s collapsed to the point; None if it is not flat, or its fan does not turn."""
+    nets = net_around(patch, point)
+    fan = list(zip(*[patch.side_of(without_side(a, s, patch.is_tensor), s) for a in nets]))[::-1]
+    normal = cross(fan[0], fan[-1])
+    if not is_flat(nets, normal):
+        return None
+    for i, r in enumerate(fan):
+        for k in range(i + 1, len(fan)):
+            turn = dot(normal, cross(r, fan[k]))
+            if turn < 0 or turn == 0 and (i, k) in ((0, 1), (len(fan) - 2, len(fan) - 1)):
+                return None
+    return wedges_of([fan[0], fan[-1], (0, 0, 0)])
+
+def without_side(rows, s, is_tensor):
+    """An array without the row of side s."""
+    if is_tensor:
+        return [[r[1:] for r in rows], rows[:-1], [r[:-1] for r in rows], rows[1:]][s]
+    return [rows[:-1], [r[:-1] for r in rows[1:]], [r[1:] for r in rows[1:]]][s]
 
 def tensor_value(rows, at, unit):
     """Times unit to the sum of the degrees."""

@@ -186,7 +186,7 @@ class ClassifyRun {
                                : options_.certificate
                                    ? without_certificate(operands.no_certificate())
                                    : kExitValid;
-    const ExitCode decided = report_.undecided.empty() ? kExitValid : say_undecided();
+    const ExitCode decided = report_.num_undecided == 0 ? kExitValid : say_undecided();
     return first_of(first_of(certified, decided), write_json());
   }
 
@@ -450,7 +450,7 @@ class ClassifyRun {
       exit = without_certificate(path() + ": " + made->refusal->message);
     else
       exit = keep_certificate(made->certificate);
-    if (!report_.undecided.empty()) exit = first_of(exit, say_undecided());
+    if (report_.num_undecided != 0) exit = first_of(exit, say_undecided());
     return first_of(exit, write_json());
   }
 
@@ -466,7 +466,7 @@ class ClassifyRun {
 
   ExitCode say_undecided() const {
     const auto& first = report_.undecided.front();
-    complain(std::to_string(report_.undecided.size()) + " of " + std::to_string(report_.points) +
+    complain(std::to_string(report_.num_undecided) + " of " + std::to_string(report_.points) +
              " points are undecided; line " + std::to_string(first.line) + ": " + first.reason);
     return kExitUndecided;
   }
@@ -482,7 +482,7 @@ class ClassifyRun {
     if (!options_.certificate) return kExitValid;
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     report_.certificate = {*options_.certificate, bytes.size(),
-                           report_.undecided.size() + num_uncovered_, false};
+                           report_.num_undecided + num_uncovered_, false};
     if (!checker_.empty())
       if (const ExitCode exit = check(text); exit != kExitValid) return exit;
     const Status status = write_output(*options_.certificate, text, out_);

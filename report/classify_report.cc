@@ -22,8 +22,9 @@ std::string classify_json(const ClassifyReport& report) {
                    {"in", report.in},
                    {"on", report.on},
                    {"out", report.out},
-                   {"undecided", report.undecided.size()}};
+                   {"undecided", report.num_undecided}};
   out["undecided"] = undecided;
+  out["undecided_not_listed"] = report.num_undecided - report.undecided.size();
   out["lookup"] = {{"cells", report.lookup_cells}, {"bytes", report.lookup_bytes}};
   out["certificate"] = nullptr;
   if (report.certificate)

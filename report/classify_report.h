@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // report/classify_report.h: what veritope classify says beside its answers.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solids/base/verdict.h"
@@ -22,14 +24,24 @@ struct ClassifyReport {
     bool is_checked = false;
   };
 
+  /// Lists hold no more.
+  static constexpr std::size_t kMostListed = 100;
+
   std::string path, sha256;
   std::optional<Verdict> verdict;  ///< nothing: --winding, which does not ask for it
   bool are_decimals_exact = false;
   std::uint64_t points = 0, in = 0, on = 0, out = 0;
-  std::vector<Undecided> undecided;
+  std::uint64_t num_undecided = 0;
+  std::vector<Undecided> undecided;  ///< the first kMostListed
   std::uint64_t lookup_cells = 0, lookup_bytes = 0;
   std::optional<KeptCertificate> certificate;
   double seconds_read = 0, seconds_build = 0, seconds_classify = 0;
+
+  /// The last one of `points`.
+  void add_undecided(std::string reason) {
+    ++num_undecided;
+    if (undecided.size() < kMostListed) undecided.push_back({points, std::move(reason)});
+  }
 };
 
 /// The schema: docs/report.schema.json, classification. One line.

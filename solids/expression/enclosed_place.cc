@@ -16,10 +16,10 @@ Sign sign_at(const std::vector<Integer>& polynomial, const Rational& t) {
   return value.sign();
 }
 
-// An interval of width 2^-kPlaceBits or less; within [0, 1], as the number is.
+// An interval of width 2^-kPlaceBits or less, if the polynomial is known; within [0, 1], as the number is.
 ExactInterval refined(const AlgebraicNumber& a) {
   ExactInterval out{std::max(a.lo, Rational(0)), std::min(a.hi, Rational(1))};
-  if (a.is_rational()) return out;
+  if (a.is_rational() || !a.is_known()) return out;
   const Sign low = sign_at(a.polynomial, a.lo);
   ExactInterval root{a.lo, a.hi};
   const Rational goal = Rational::power_of_two(-kPlaceBits), half = Rational::power_of_two(-1);

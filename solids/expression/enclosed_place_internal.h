@@ -9,8 +9,8 @@
 
 namespace veritope::internal {
 
-/// A box of the domain of the patch's map, of width 2^-126 or less, that holds the place with these parameters of the
-/// square form (OnPatch).
+/// A box of the domain of the patch's map that holds the place with these parameters of the square form (OnPatch); of
+/// width 2^-126 or less, if their polynomials are known.
 std::array<ExactInterval, 2> domain_enclosure(const Patch& patch, const AlgebraicPair& at);
 
 /// Holds a positive multiple of the normal at each point of a box inside the domain: derivatives in its middle, widened

@@ -69,7 +69,7 @@ class PatchPointsCertifier::Body {
   template <typename Point>
   void add_on(const Point& p) {
     std::optional<OnPatch> where;
-    classifier_.classify(p, &where);
+    classifier_.classify(p, &where, PatchClassifier::Search::kLong);
     VT_CHECK(where.has_value(), "a point on a patch has parameters");
     ++num_on_;
     if (const auto place = place_on_patch(*patches_.complex, *where))

@@ -117,6 +117,9 @@ class ClassifyRun {
       : options_(options), out_(out), progress_(true) {}
 
   ExitCode run() {
+    report_.is_winding = options_.winding;
+    if (options_.by_chain)
+      report_.by = *options_.by_chain == ChainKind::kNormal ? "normal" : "literal";
     if (const Status status = check_outputs(); !status) return fail(status.error());
     if (!options_.no_check) {
       const Result<std::string> checker = find_checker();
@@ -366,16 +369,26 @@ class ClassifyRun {
       if (facts->reversal) reverse_faces(facts->reversal->is_reversed);
       set_shells(*facts);
     }
-    if (const auto* facts = std::get_if<PatchFacts>(&done.report.facts))
+    if (const auto* facts = std::get_if<PatchFacts>(&done.report.facts)) {
       model_.reversed = facts->reversed;
+      for (const std::uint64_t entity : model_.reversed) add_reversed("entities", entity);
+    }
     return kExitValid;
   }
 
   void reverse_faces(const std::vector<bool>& is_reversed) {
     TriangleMesh& mesh = std::get<MeshFile>(model_.file).mesh;
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-      if (is_reversed[f]) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      if (!is_reversed[f]) continue;
+      std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+      add_reversed("faces", f);
+    }
     model_.no_certificate = kIsReversed;
+  }
+
+  void add_reversed(const char* parts, std::uint64_t number) {
+    if (!report_.reversed) report_.reversed = {parts, 0, {}};
+    report_.reversed->add(number);
   }
 
   void set_shells(const MeshFacts& facts) {
@@ -409,6 +422,7 @@ class ClassifyRun {
     const ExitCode exit =
         with_answers(decimals, [&](PointSource& source, const WriteAnswers& write) {
           const ExactPoint origin = origin_for(complex, options_.origin.value_or(ChainOrigin()));
+          report_.origin = origin;
           return cli::classify_by_chain(complex, *options_.by_chain, origin, source,
                                         static_cast<unsigned>(options_.jobs), write, report_);
         });

@@ -102,8 +102,8 @@ PointWord ExpressionClassifier::on_walls(const ExactPoint& point, const Formula&
     if (diagram) return diagram->value(bit_of);
     return rest.value([&](std::uint32_t v) { return to_value(bit_of(v)); }) == Value3::kOne;
   };
-  if (const auto enclosed = std::find_if(
-          cones.begin(), cones.end(), [](const TangentCone& c) { return c.enclosure.has_value(); });
+  if (const auto enclosed = std::find_if(cones.begin(), cones.end(),
+                                         [](const TangentCone& c) { return c.is_enclosed(); });
       enclosed != cones.end()) {
     switch (internal::values_near(cones, f)) {
       case internal::ValuesNear::kOnlyZero: return PointWord::kOut;

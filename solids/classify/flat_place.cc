@@ -91,7 +91,7 @@ FlatPlace::OfBorder FlatPlace::border() const {
 
 std::array<std::vector<Integer>, 2> FlatPlace::line_at(std::size_t across, const Dyadic& at,
                                                        const Dyadic& from, const Dyadic& to) const {
-  const Dyadic zero, one(1);
+  const Dyadic zero(0), one(1);
   const std::size_t along = 1 - across;
   std::array<std::vector<Integer>, 2> out;
   for (std::size_t k = 0; k < 2; ++k) {

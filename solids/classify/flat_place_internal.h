@@ -34,7 +34,7 @@ class FlatPlace {
     std::optional<AlgebraicPair> parameters;  ///< if the border passes through the point
     int winding = 0;                          ///< otherwise, of the border around the point
   };
-  /// Of the image of the border of the square.
+  /// What the image of the border of the square says.
   OfBorder border() const;
 
   /// Whether the image of the border of [lo, hi], a part of the square, misses the point and has a winding number

@@ -174,7 +174,7 @@ class PatchClassifier::Body {
     return std::nullopt;
   }
 
-  // Of a point inside of a flat patch: as numbers that are known, otherwise in a box.
+  // The parameters of a point inside of a flat patch: numbers that are known, otherwise a box.
   AlgebraicPair parameters_inside(std::uint32_t patch, const RayPoint& q, std::vector<Foot>& feet,
                                   Search search) const {
     AlgebraicPair out;
@@ -190,7 +190,7 @@ class PatchClassifier::Body {
           return std::move(*uv);
       }
     const FlatPlace place(rays_.form(patch), q);
-    const Dyadic reach(1, -kBitsOfBox), zero, one(1);
+    const Dyadic reach(1, -kBitsOfBox), zero(0), one(1);
     for (const Foot& foot : feet) {
       std::array<Dyadic, 2> lo, hi;
       for (std::size_t k = 0; k < 2; ++k) {

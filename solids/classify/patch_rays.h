@@ -49,8 +49,8 @@ class PatchRays {
   RayCount count_some(const RayPoint& point, std::uint32_t first, std::uint32_t last,
                       int levels) const;
 
-  /// The ray along which the point is nearest to the end of the hull; of those that pass through the planes of `off`, if
-  /// there are any.
+  /// The ray along which the point is nearest to the end of the hull; among those that pass through all planes of
+  /// `off`, if there are any.
   AxisRay ray_from(const RayPoint& point, std::span<const std::uint32_t> off = {}) const;
   /// @param shell  patches of other shells are ignored; PatchComplex::kNone: none is
   RayCount count_rounded(const RayPoint& point, const AxisRay& ray,

@@ -45,7 +45,7 @@ class Operand {
   virtual Value3 value(const ExactPoint& point) const = 0;
   /// The value on a closed box; mixed also where the boundary only touches it.
   virtual Value3 value(const Box3d& box) const = 0;
-  /// At a point of the boundary; nothing if the directions are not known as exact numbers, or at a singular point, or if
+  /// At a point of the boundary; nothing if the directions are not known as exact numbers, at a singular point, or if
   /// the place is open.
   /// @param place  that of the point
   virtual std::optional<TangentCone> tangent_cone(const ExactPoint& point,

@@ -233,6 +233,28 @@ class Classify(Folder):
         lines = [" ".join(map(str, p)) for p in numbers] + ["3 " + " ".join(map(str, f)) for f in faces]
         return f"OFF\n{len(numbers)} {len(faces)} 0\n" + "\n".join(lines) + "\n"
 
+    def test_points_of_flat_faces_at_parameters_of_a_high_degree(self):
+        square = lambda n, points: {"kind": "surface", "group": None, "attributes": [], "shape": {
+            "degrees": [n, n], "periodic": [False, False], "knots": [["0"] * (n + 1) + ["1"] * (n + 1)] * 2, "rational": False, "components": 3,
+            "points": [[str(c) for c in p] for p in points]}}
+        def end(z, n=7):                                                     # inner control points are moved in the plane
+            pairs = ((a, b) if z else (b, a) for a in range(n + 1) for b in range(n + 1))
+            moved = lambda a, b: Fraction(a, n) + (Fraction((3 * a + 5 * b) % 7 - 3, 20 * n) if 0 < min(a, b) and max(a, b) < n else 0)
+            return square(n, [(moved(a, b), moved(b, a), z) for a, b in pairs])
+        corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        walls = [square(1, [(*a, 0), (*a, 1), (*b, 0), (*b, 1)]) for a, b in zip(corners, corners[1:] + corners[:1])]
+        model = self.file("restless.vjson", json.dumps({"format": "veritope-spline-1", "groups": [], "entities": [end(0), end(1), *walls]}))
+        points = self.file("p.txt", "1/3 2/5 1\n-1/10 2/5 1\n1/3 2/5 1.%s1\n" % ("0" * 800))
+        words = lambda text: [line.split()[3] for line in text.splitlines()]
+        self.assertEqual(words(self.answers(points, model=model)), ["on", "out", "out"])
+        output, certificate = self.folder / "a.txt", self.folder / "c.cert"
+        done = run("classify", model, points, "-o", output, "--certificate", certificate)
+        self.assertEqual((done.returncode, words(output.read_text()), certificate.exists()), (3, ["on", "out", "out"], False))
+        self.assertIn("parameters are not known", " ".join(done.stderr.split()))
+        self.assertEqual(run("boolean", "A", f"A={model}", "-o", self.folder / "e.json").returncode, 0)
+        report = json.loads(self.answers(points, "-o", output, "--certificate", certificate, "--json", "-", model=self.folder / "e.json"))
+        self.assertEqual((report["certificate"]["uncovered"], report["certificate"]["checked"]), (1, True))
+
     def test_the_normal_chain_has_the_same_f_for_every_origin(self):
         pipe = ROOT / "examples" / "quarter_pipe.itd"
         points = self.file("many.txt", "".join(f"{x}/5 {y}/5 {z}/5\n" for x in range(-2, 12, 3) for y in range(-2, 12, 3) for z in range(-2, 12, 3)))

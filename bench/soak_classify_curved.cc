@@ -2,7 +2,8 @@
 // bench/soak_classify_curved.cc: --points N --seed S: classifies points with respect to curved solids whose truth is
 // the exact sign of a polynomial: sphere, torus, cylinder, cone, a graph; random ones, ones with coordinates that put
 // axis rays on tangent planes, seams and poles, ones on the surface at rational and irrational parameters, and ones
-// that are 2^-60 to 2^-1000 away from it. One JSON line a figure.
+// that are 2^-60 to 2^-1000 away from it; and a cube with faces of degrees (7, 7), most of whose points have parameters
+// of a high degree. One JSON line a figure.
 #include <array>
 #include <cstdio>
 #include <functional>
@@ -12,6 +13,7 @@
 #include "bench/arguments.h"
 #include "bench/stopwatch.h"
 #include "models/patch_shapes.h"
+#include "models/restless_faces.h"
 #include "robust/base/random.h"
 #include "solids/classify/patch_classifier.h"
 #include "splines/binomial.h"
@@ -53,6 +55,9 @@ Sign in_cylinder(const ExactPoint& p) {
 Sign in_cone(const ExactPoint& p) {
   const Rational r = Rational(1) - p[2] / Rational(2);
   return least(least((r * r - p[0] * p[0] - p[1] * p[1]).sign(), r.sign()), in_slab(p[2], 2));
+}
+Sign in_cube(const ExactPoint& p) {
+  return least(least(in_slab(p[0], 1), in_slab(p[1], 1)), in_slab(p[2], 1));
 }
 // 0 <= z <= h(x, y) = 1 + x (1 - x) y / 2 + x y^2 / 3 over the unit square.
 Rational height_at(const Rational& x, const Rational& y) {
@@ -185,6 +190,11 @@ std::vector<Solid> solids() {
           {"cylinder", frustum(1), in_cylinder, {-1.2, -1.2, -0.2}, {1.2, 1.2, 2.2}},
           {"cone", frustum(0), in_cone, {-1.2, -1.2, -0.2}, {1.2, 1.2, 2.2}},
           {"graph", graph(), in_graph, {-0.2, -0.2, -0.2}, {1.2, 1.2, 1.7}},
+          {"restless_cube",
+           patch_shapes::restless_cube(7, 1),
+           in_cube,
+           {-0.2, -0.2, -0.2},
+           {1.2, 1.2, 1.2}},
           {"bent_octants", bent(patch_shapes::octant_sphere()), in_ball, minus, one},
           {"bent_graph", bent(graph()), in_graph, {-0.2, -0.2, -0.2}, {1.2, 1.2, 1.7}}};
 }
@@ -200,7 +210,8 @@ class Soak {
   void run(const Solid& solid) {
     const PatchComplex complex = make_patch_complex(solid.patches).value();
     const PatchClassifier classifier = PatchClassifier::make(complex, true);
-    const bool is_bent = std::string(solid.name).starts_with("bent");
+    const bool is_slow =
+        std::string(solid.name).starts_with("bent") || std::string(solid.name) == "restless_cube";
     const std::uint64_t few = std::max<std::uint64_t>(points_ / 1000, 1);
     const auto ask = [&](const char* kind, std::uint64_t count, auto make) {
       Tally tally;
@@ -210,8 +221,8 @@ class Soak {
     };
     ask("uniform", points_, [&] { return exact(uniform(solid)); });
     ask("lattice", points_ / 10, [&] { return lattice(solid); });
-    ask("on", is_bent ? few : points_ / 10, [&] { return on(solid); });
-    ask("on_borders", is_bent ? few : points_ / 10, [&] { return on_border(solid); });
+    ask("on", is_slow ? few : points_ / 10, [&] { return on(solid); });
+    ask("on_borders", is_slow ? few : points_ / 10, [&] { return on_border(solid); });
     for (const int bits : {60, 300, 1000})
       ask(bits == 60    ? "off_2^-60"
           : bits == 300 ? "off_2^-300"

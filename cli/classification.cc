@@ -130,9 +130,8 @@ class Classification {
   void count(const PointAnswer& answer) {
     ++report_.points;
     if (!answer.is_decided)
-      report_.undecided.push_back({report_.points,
-                                   "whether the point is on the surface is open: 2560 bits and "
-                                   "131,072 pieces do not tell"});
+      report_.add_undecided(
+          "whether the point is on the surface is open: 2560 bits and 131,072 pieces do not tell");
     else if (answer.is_on())
       ++report_.on;
     else if (!settings_.is_winding)

@@ -117,6 +117,9 @@ class ClassifyRun {
       : options_(options), out_(out), progress_(true) {}
 
   ExitCode run() {
+    report_.is_winding = options_.winding;
+    if (options_.by_chain)
+      report_.by = *options_.by_chain == ChainKind::kNormal ? "normal" : "literal";
     if (const Status status = check_outputs(); !status) return fail(status.error());
     if (!options_.no_check) {
       const Result<std::string> checker = find_checker();
@@ -186,7 +189,7 @@ class ClassifyRun {
                                : options_.certificate
                                    ? without_certificate(operands.no_certificate())
                                    : kExitValid;
-    const ExitCode decided = report_.undecided.empty() ? kExitValid : say_undecided();
+    const ExitCode decided = report_.num_undecided == 0 ? kExitValid : say_undecided();
     return first_of(first_of(certified, decided), write_json());
   }
 
@@ -366,16 +369,26 @@ class ClassifyRun {
       if (facts->reversal) reverse_faces(facts->reversal->is_reversed);
       set_shells(*facts);
     }
-    if (const auto* facts = std::get_if<PatchFacts>(&done.report.facts))
+    if (const auto* facts = std::get_if<PatchFacts>(&done.report.facts)) {
       model_.reversed = facts->reversed;
+      for (const std::uint64_t entity : model_.reversed) add_reversed("entities", entity);
+    }
     return kExitValid;
   }
 
   void reverse_faces(const std::vector<bool>& is_reversed) {
     TriangleMesh& mesh = std::get<MeshFile>(model_.file).mesh;
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-      if (is_reversed[f]) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      if (!is_reversed[f]) continue;
+      std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+      add_reversed("faces", f);
+    }
     model_.no_certificate = kIsReversed;
+  }
+
+  void add_reversed(const char* parts, std::uint64_t number) {
+    if (!report_.reversed) report_.reversed = {parts, 0, {}};
+    report_.reversed->add(number);
   }
 
   void set_shells(const MeshFacts& facts) {
@@ -409,6 +422,7 @@ class ClassifyRun {
     const ExitCode exit =
         with_answers(decimals, [&](PointSource& source, const WriteAnswers& write) {
           const ExactPoint origin = origin_for(complex, options_.origin.value_or(ChainOrigin()));
+          report_.origin = origin;
           return cli::classify_by_chain(complex, *options_.by_chain, origin, source,
                                         static_cast<unsigned>(options_.jobs), write, report_);
         });
@@ -450,7 +464,7 @@ class ClassifyRun {
       exit = without_certificate(path() + ": " + made->refusal->message);
     else
       exit = keep_certificate(made->certificate);
-    if (!report_.undecided.empty()) exit = first_of(exit, say_undecided());
+    if (report_.num_undecided != 0) exit = first_of(exit, say_undecided());
     return first_of(exit, write_json());
   }
 
@@ -466,7 +480,7 @@ class ClassifyRun {
 
   ExitCode say_undecided() const {
     const auto& first = report_.undecided.front();
-    complain(std::to_string(report_.undecided.size()) + " of " + std::to_string(report_.points) +
+    complain(std::to_string(report_.num_undecided) + " of " + std::to_string(report_.points) +
              " points are undecided; line " + std::to_string(first.line) + ": " + first.reason);
     return kExitUndecided;
   }
@@ -482,7 +496,7 @@ class ClassifyRun {
     if (!options_.certificate) return kExitValid;
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     report_.certificate = {*options_.certificate, bytes.size(),
-                           report_.undecided.size() + num_uncovered_, false};
+                           report_.num_undecided + num_uncovered_, false};
     if (!checker_.empty())
       if (const ExitCode exit = check(text); exit != kExitValid) return exit;
     const Status status = write_output(*options_.certificate, text, out_);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cli/expression_classification.h"
 
-#include <algorithm>
-
 #include "robust/base/parallel.h"
 #include "verify/format/sha256.h"
 
@@ -38,31 +36,14 @@ std::string reason_text(const OpenWord& open, std::span<const std::string> names
   return out + " touch there";
 }
 
-// Those of the undecided points of a batch, whose number in it is added to `before`.
-void add_reasons(const ExpressionClassifier& classifier, std::span<const std::string> names,
-                 const PointBatch& batch, std::size_t before, report::ClassifyReport& report,
-                 std::size_t first) {
-  for (std::size_t i = first; i < report.undecided.size(); ++i) {
-    const std::size_t at = report.undecided[i].line - before - 1;
-    const auto given = std::find_if(batch.exact.begin(), batch.exact.end(),
-                                    [&](const auto& e) { return e.first == at; });
-    const Vec3d& p = batch.points[at];
-    const ExactPoint point = given != batch.exact.end() ? given->second
-                                                        : ExactPoint{Rational::from_double(p.x),
-                                                                     Rational::from_double(p.y),
-                                                                     Rational::from_double(p.z)};
-    if (const auto open = classifier.why_undecided(point))
-      report.undecided[i].reason = reason_text(*open, names);
-  }
-}
-
-void count(PointWord word, report::ClassifyReport& report) {
+void count(PointWord word, const OpenWord& why, std::span<const std::string> names,
+           report::ClassifyReport& report) {
   ++report.points;
   switch (word) {
     case PointWord::kIn: ++report.in; break;
     case PointWord::kOn: ++report.on; break;
     case PointWord::kOut: ++report.out; break;
-    case PointWord::kUndecided: report.undecided.push_back({report.points, {}});
+    case PointWord::kUndecided: report.add_undecided(reason_text(why, names));
   }
 }
 
@@ -74,24 +55,25 @@ Status classify_points(const ExpressionClassifier& classifier, std::span<const s
   Sha256 hash;
   PointBatch batch;
   std::vector<PointWord> words;
+  std::vector<OpenWord> why;
   std::string lines;
   for (;;) {
     if (const Status status = source.next(batch); !status) return status;
     if (batch.size() == 0) break;
     words.resize(batch.size());
-    classifier.classify(batch.points, words, jobs);
+    why.resize(batch.size());
+    classifier.classify(batch.points, words, jobs, why);
     parallel_for(batch.exact.size(), 16, jobs,
                  [&](std::size_t, std::size_t begin, std::size_t end) {
                    for (std::size_t k = begin; k < end; ++k)
-                     words[batch.exact[k].first] = classifier.classify(batch.exact[k].second);
+                     words[batch.exact[k].first] =
+                         classifier.classify(batch.exact[k].second, &why[batch.exact[k].first]);
                  });
     lines.clear();
-    const std::size_t before = report.points, first = report.undecided.size();
     for (std::size_t i = 0; i < batch.size(); ++i) {
       lines.append(batch.text(i)).append(answer_of(words[i]));
-      count(words[i], report);
+      count(words[i], why[i], names, report);
     }
-    add_reasons(classifier, names, batch, before, report, first);
     if (const Status status = write(lines); !status) return status;
     if (certificate == nullptr) continue;
     certificate->certifier.add(batch.points, batch.exact, words);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "report/classify_report.h"
 
+#include "report/decimal_text.h"
 #include "report/file_report.h"
 #include "report/json_text.h"
 #include "verify/certify/certify.h"
@@ -18,12 +19,25 @@ std::string classify_json(const ClassifyReport& report) {
   out["tool"] = tool_name();
   out["model"] = model;
   out["decimals"] = report.are_decimals_exact ? "exact" : "nearest";
+  out["by"] = report.by;
+  out["origin"] = nullptr;
+  if (report.origin) {
+    out["origin"] = Json::array();
+    for (const Rational& x : *report.origin) out["origin"].push_back(fraction_text(x));
+  }
+  out["winding"] = report.is_winding;
+  out["reversed"] = nullptr;
+  if (report.reversed)
+    out["reversed"] = {{"parts", report.reversed->parts},
+                       {"total", report.reversed->total},
+                       {"first", report.reversed->first}};
   out["counts"] = {{"points", report.points},
                    {"in", report.in},
                    {"on", report.on},
                    {"out", report.out},
-                   {"undecided", report.undecided.size()}};
+                   {"undecided", report.num_undecided}};
   out["undecided"] = undecided;
+  out["undecided_not_listed"] = report.num_undecided - report.undecided.size();
   out["lookup"] = {{"cells", report.lookup_cells}, {"bytes", report.lookup_bytes}};
   out["certificate"] = nullptr;
   if (report.certificate)

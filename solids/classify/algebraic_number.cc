@@ -128,7 +128,7 @@ std::vector<Rational> product_modulo(const std::vector<Rational>& a, const std::
 }
 
 std::optional<PrimitivePair> primitive_pair(const AlgebraicPair& pair) {
-  if (pair.is_rational()) return std::nullopt;
+  if (pair.is_rational() || !pair[0].is_known() || !pair[1].is_known()) return std::nullopt;
   if (!pair.relation.empty()) return generated_by(pair, 1 - pair.dependent);
   for (std::size_t k = 0; k < 2; ++k)
     if (pair[1 - k].is_rational()) return generated_by(pair, k);

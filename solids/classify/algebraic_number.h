@@ -10,13 +10,15 @@
 
 namespace veritope {
 
-/// The rational number lo = hi, or a root between lo and hi, where the polynomial has different signs.
+/// The rational number lo = hi, or a root between lo and hi, where the polynomial has different signs; or a number of
+/// which no polynomial is known, only that it is in [lo, hi], lo < hi.
 struct AlgebraicNumber {
   std::vector<Integer>
-      polynomial;  ///< coefficients of 1, t, t^2, ...; of a rational number q t - p
+      polynomial;  ///< coefficients of 1, t, t^2, ...; of a rational number q t - p; empty: not known
   Rational lo, hi;
 
   bool is_rational() const { return lo == hi; }
+  bool is_known() const { return !polynomial.empty(); }
 };
 
 /// Two numbers, of which one may depend on the other.
@@ -37,7 +39,8 @@ struct PrimitivePair {
   Rational lo, hi;
   std::array<std::vector<Rational>, 2> numbers;  ///< of lower degrees
 };
-/// The first root is u, v, or u + j v for a small j. Nothing if the numbers are rational, or if no small j serves.
+/// The first root is u, v, or u + j v for a small j. Nothing if the numbers are rational, if a polynomial is not known,
+/// or if no small j serves.
 /// @cost  some elimination in as many unknowns as the product of both degrees
 std::optional<PrimitivePair> primitive_pair(const AlgebraicPair& pair);
 /// a b, divided by the modulus of degree d: the remainder, d coefficients. REQUIRES a modulus of degree 1 or more.

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solids/classify/patch_classifier.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "robust/base/check.h"
 #include "robust/base/fp_guard.h"
 #include "robust/base/parallel.h"
+#include "solids/classify/flat_place_internal.h"
 #include "solids/classify/patch_foot_internal.h"
 #include "solids/classify/patch_octree_internal.h"
 #include "solids/classify/patch_rays.h"
@@ -21,6 +23,8 @@ constexpr std::size_t kChunkOfPatchPoints = 256;
 constexpr int kBitsOfCondition =
     24;  // by which parameters are worse known than the point's distance
 constexpr std::size_t kMostFeet = 32;
+constexpr int kFirstRefined = 160, kMostBits = 2560;
+constexpr int kBitsOfBox = 130;  // the width of a box of parameters
 constexpr int kFirstBits = 36;  // how far the middles of the smallest rounded pieces can be trusted
 
 AlgebraicPair as_algebraic(const std::array<Rational, 2>& uv) {
@@ -34,21 +38,23 @@ AlgebraicPair as_algebraic(const std::array<Rational, 2>& uv) {
 
 class PatchClassifier::Body {
  public:
-  Body(const PatchComplex& complex, bool has_shells, int levels)
+  Body(const PatchComplex& complex, bool is_valid, bool has_shells, int levels)
       : complex_(complex),
         rays_(complex),
+        is_valid_(is_valid),
         has_shells_(has_shells),
         depths_(depths()),
         octree_(
             rays_, [this](const RayPoint& q) { return label_at(q); }, levels) {}
 
   template <typename Point>
-  PointAnswer classify(const Point& p, std::optional<OnPatch>* where) const {
+  PointAnswer classify(const Point& p, std::optional<OnPatch>* where,
+                       Search search = Search::kShort) const {
     if (where != nullptr) where->reset();
     const RayPoint q(p, rays_.scale());
     if (!meets(q.box(), rays_.hull())) return {};
     if (const RegionLabel* const label = octree_.find(q)) return answer(*label);
-    return by_ray(q, where);
+    return by_ray(q, where, search);
   }
 
   Value3 value(const Box3d& box) const {
@@ -137,12 +143,73 @@ class PatchClassifier::Body {
       feet.push_back({piece.patch, PatchFoot(rays_.form(piece.patch), q, piece.middle)});
   }
 
-  PointAnswer by_ray(const RayPoint& q, std::optional<OnPatch>* where) const {
+  // What flat patches near a point say.
+  struct FlatPatches {
+    std::vector<std::uint32_t> settled;  // the point is off them
+    std::vector<std::uint32_t> off;      // those in whose planes it is
+    std::optional<AlgebraicPair>
+        border;  // its parameters, if it is on the border of the patch that holds it
+  };
+  static bool is_in(const std::vector<std::uint32_t>& patches, std::uint32_t patch) {
+    return std::find(patches.begin(), patches.end(), patch) != patches.end();
+  }
+
+  // The first flat patch of the pieces that holds the point: POINT-4.
+  std::optional<std::uint32_t> look_at_flat(const std::vector<OpenPiece>& pieces, const RayPoint& q,
+                                            FlatPatches& out) const {
+    const RayPoint::Fractions fractions = q.fractions();
+    for (const OpenPiece& piece : pieces) {
+      const TensorForm& form = rays_.form(piece.patch);
+      if (!form.plane || is_in(out.settled, piece.patch)) continue;
+      const bool is_in_plane = side_of(*form.plane, fractions) == 0;
+      if (is_in_plane) {
+        FlatPlace::OfBorder border = FlatPlace(form, q).border();
+        out.border = std::move(border.parameters);
+        if (out.border || border.winding != 0) return piece.patch;
+        if (!is_valid_) continue;
+        out.off.push_back(piece.patch);
+      }
+      out.settled.push_back(piece.patch);
+    }
+    return std::nullopt;
+  }
+
+  // The parameters of a point inside of a flat patch: numbers that are known, otherwise a box.
+  AlgebraicPair parameters_inside(std::uint32_t patch, const RayPoint& q, std::vector<Foot>& feet,
+                                  Search search) const {
+    AlgebraicPair out;
+    for (AlgebraicNumber& number : out.numbers) number = {{}, 0, 1};
+    std::erase_if(feet, [&](const Foot& foot) { return foot.patch != patch; });
+    const int most = search == Search::kLong ? 4 * kFirstRefined : kFirstRefined;
+    for (int bits = kFirstRefined; bits <= most; bits *= 4)
+      for (Foot& foot : feet) {
+        if (!foot.search.refine(bits)) continue;
+        if (auto uv = foot.search.exact_parameters(bits - kBitsOfCondition))
+          return as_algebraic(*uv);
+        if (auto uv = foot.search.irrational_parameters(bits - kBitsOfCondition))
+          return std::move(*uv);
+      }
+    const FlatPlace place(rays_.form(patch), q);
+    const Dyadic reach(1, -kBitsOfBox), zero(0), one(1);
+    for (const Foot& foot : feet) {
+      std::array<Dyadic, 2> lo, hi;
+      for (std::size_t k = 0; k < 2; ++k) {
+        lo[k] = std::max(foot.search.parameters()[k] - reach, zero);
+        hi[k] = std::min(foot.search.parameters()[k] + reach, one);
+      }
+      if (!(lo[0] < hi[0]) || !(lo[1] < hi[1]) || !place.is_inside(lo, hi)) continue;
+      for (std::size_t k = 0; k < 2; ++k)
+        out.numbers[k] = {{}, lo[k].to_rational(), hi[k].to_rational()};
+      return out;
+    }
+    return out;
+  }
+
+  PointAnswer by_ray(const RayPoint& q, std::optional<OnPatch>* where, Search search) const {
     RayCount count = count_rounded(q);
     if (count.state == RayCount::State::kCounted) return answer(label_of(count.windings));
-    const AxisRay ray = rays_.ray_from(q);
-    constexpr int kFirstRefined = 160, kMostBits = 2560;
-    if (count.state == RayCount::State::kLost) count = rays_.count_exactly(q, ray, 48);
+    if (count.state == RayCount::State::kLost)
+      count = rays_.count_exactly(q, rays_.ray_from(q), 48);
     if (count.state == RayCount::State::kCounted) return answer(label_of(count.windings));
     std::vector<Foot> feet;
     for (const OpenPiece& piece : count.open)
@@ -152,6 +219,14 @@ class PatchClassifier::Body {
     for (const Foot& foot : feet)
       if (auto uv = foot.search.exact_parameters(kFirstBits))
         return on(foot.patch, as_algebraic(*uv), where);
+    FlatPatches flat;
+    if (const auto patch = look_at_flat(count.open, q, flat)) {
+      if (where != nullptr && !flat.border)
+        flat.border = parameters_inside(*patch, q, feet, search);
+      return on(*patch, flat.border ? std::move(*flat.border) : AlgebraicPair(), where);
+    }
+    std::erase_if(feet, [&](const Foot& foot) { return is_in(flat.settled, foot.patch); });
+    const AxisRay ray = rays_.ray_from(q, flat.off);
     for (int bits = kFirstRefined; bits <= kMostBits; bits *= 4) {
       bool may_be_on = false;
       for (Foot& foot : feet) {
@@ -162,7 +237,8 @@ class PatchClassifier::Body {
         if (auto uv = foot.search.irrational_parameters(bits - kBitsOfCondition))
           return on(foot.patch, std::move(*uv), where);
       }
-      const RayCount exact = rays_.count_exactly(q, ray, may_be_on ? bits / 4 : bits);
+      const RayCount exact =
+          rays_.count_exactly(q, ray, may_be_on ? bits / 4 : bits, PatchComplex::kNone, flat.off);
       if (exact.state == RayCount::State::kCounted) return answer(label_of(exact.windings));
       // Where doubles say little, as far from the origin, integers know better where to search.
       if (feet.size() < kMostFeet) add_feet(exact.open, q, feet);
@@ -179,7 +255,7 @@ class PatchClassifier::Body {
 
   const PatchComplex& complex_;
   PatchRays rays_;
-  bool has_shells_;
+  bool is_valid_, has_shells_;
   std::vector<std::uint32_t> depths_;
   PatchOctree octree_;
 };
@@ -191,17 +267,24 @@ PatchClassifier::~PatchClassifier() = default;
 PatchClassifier PatchClassifier::make(const PatchComplex& complex, bool has_shells, int levels) {
   VT_CHECK(complex.is_closed_oriented_surface(), "points need a closed oriented surface");
   const ScopedDefaultFp nearest;
-  return PatchClassifier(std::make_unique<const Body>(complex, has_shells, levels));
+  return PatchClassifier(std::make_unique<const Body>(complex, has_shells, has_shells, levels));
 }
 
-PointAnswer PatchClassifier::classify(const Vec3d& point, std::optional<OnPatch>* where) const {
+PatchClassifier PatchClassifier::of_valid_model(const PatchComplex& complex) {
+  VT_CHECK(complex.is_closed_oriented_surface(), "points need a closed oriented surface");
   const ScopedDefaultFp nearest;
-  return body_->classify(point, where);
+  return PatchClassifier(std::make_unique<const Body>(complex, true, false, kLevels));
 }
-PointAnswer PatchClassifier::classify(const ExactPoint& point,
-                                      std::optional<OnPatch>* where) const {
+
+PointAnswer PatchClassifier::classify(const Vec3d& point, std::optional<OnPatch>* where,
+                                      Search search) const {
   const ScopedDefaultFp nearest;
-  return body_->classify(point, where);
+  return body_->classify(point, where, search);
+}
+PointAnswer PatchClassifier::classify(const ExactPoint& point, std::optional<OnPatch>* where,
+                                      Search search) const {
+  const ScopedDefaultFp nearest;
+  return body_->classify(point, where, search);
 }
 
 void PatchClassifier::classify(std::span<const Vec3d> points, std::span<PointAnswer> answers,

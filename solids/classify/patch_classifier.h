@@ -38,15 +38,27 @@ class PatchClassifier {
   /// @cost  near-linear in the patches, and in the cells that the surface meets: 0.1 to 1 s for 8 levels
   static PatchClassifier make(const PatchComplex& complex, bool has_shells, int levels = kLevels);
   static PatchClassifier make(PatchComplex&&, bool, int = 0) = delete;
+  /// For a valid model whose shells do not matter.
+  static PatchClassifier of_valid_model(const PatchComplex& complex);
+  static PatchClassifier of_valid_model(PatchComplex&&) = delete;
   static constexpr int kLevels = 8;
 
   PatchClassifier(PatchClassifier&&) noexcept;
   ~PatchClassifier();
 
+  /// How long polynomials of parameters inside of a flat patch are searched for, once the answer is known: with 160
+  /// bits, or with 640, too, which takes 1 to 100 ms.
+  enum class Search { kShort, kLong };
+
   /// Undecided only for a point at which 2560 bits, or the limit of work (131,072 pieces), do not tell whether it is on
-  /// the surface. REQUIRES finite coordinates.
-  PointAnswer classify(const Vec3d& point, std::optional<OnPatch>* where = nullptr) const;
-  PointAnswer classify(const ExactPoint& point, std::optional<OnPatch>* where = nullptr) const;
+  /// the surface: never because of a flat patch of a valid model alone, unless two of them are in axis-parallel planes
+  /// and closer to the point than that. REQUIRES finite coordinates.
+  /// @param where  set if the point is on the surface; inside of a flat patch, polynomials of the parameters may be
+  ///               unknown, and there is a box that holds them
+  PointAnswer classify(const Vec3d& point, std::optional<OnPatch>* where = nullptr,
+                       Search search = Search::kShort) const;
+  PointAnswer classify(const ExactPoint& point, std::optional<OnPatch>* where = nullptr,
+                       Search search = Search::kShort) const;
   /// All at once, by `jobs` threads; the answers do not depend on their number. REQUIRES equal sizes.
   void classify(std::span<const Vec3d> points, std::span<PointAnswer> answers, unsigned jobs) const;
 

@@ -45,7 +45,7 @@ Rational simple_near(const Dyadic& x, int bits) {
 
 PatchFoot::PatchFoot(const TensorForm& form, const RayPoint& point,
                      const std::array<double, 2>& start)
-    : form_(form), net_(relative_coefficients(form, point)) {
+    : form_(&form), net_(relative_coefficients(form, point)) {
   for (const auto& values : net_)
     for (const Integer& x : values) net_bits_ = std::max(net_bits_, bits_of(x));
   for (std::size_t k = 0; k < 2; ++k) at_[k] = Dyadic::from_double(start[k]);
@@ -56,8 +56,8 @@ PatchFoot::PatchFoot(const TensorForm& form, const RayPoint& point,
 void PatchFoot::find_tangents() {
   const std::array<double, 2> t{nearest_double(at_[0].to_rational()),
                                 nearest_double(at_[1].to_rational())};
-  const auto rows = static_cast<std::size_t>(form_.degrees[0] + 1),
-             columns = static_cast<std::size_t>(form_.degrees[1] + 1);
+  const auto rows = static_cast<std::size_t>(form_->degrees[0] + 1),
+             columns = static_cast<std::size_t>(form_->degrees[1] + 1);
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t axis = 0; axis < 2; ++axis) {
       std::vector<double> values;
@@ -66,12 +66,12 @@ void PatchFoot::find_tangents() {
       const auto lines = axis == 0 ? rows : columns;
       const AffineBlend<double> across{1 - t[other], t[other]}, along{1 - t[axis], t[axis]};
       for (std::size_t line = 0; line < lines; ++line)
-        keep_right(values.data() + line * form_.stride(axis), form_.stride(other),
-                   form_.degrees[other], across);
-      const std::size_t stride = form_.stride(axis);
-      for (int left = form_.degrees[axis]; left > 1; --left)
+        keep_right(values.data() + line * form_->stride(axis), form_->stride(other),
+                   form_->degrees[other], across);
+      const std::size_t stride = form_->stride(axis);
+      for (int left = form_->degrees[axis]; left > 1; --left)
         blend_forward(values.data(), stride, left, along);
-      tangents_[k][axis] = form_.degrees[axis] * (values[stride] - values[0]);
+      tangents_[k][axis] = form_->degrees[axis] * (values[stride] - values[0]);
     }
 }
 
@@ -82,10 +82,10 @@ PatchFoot::Values PatchFoot::at(const std::array<Integer, 2>& numerators,
       v{denominators[1] - numerators[1], numerators[1]};
   for (std::size_t k = 0; k < 3; ++k) {
     std::vector<Integer> work = net_[k];
-    for (int row = 0; row <= form_.degrees[0]; ++row)
-      keep_right(work.data() + static_cast<std::size_t>(row) * form_.stride(0), 1, form_.degrees[1],
-                 v);
-    keep_right(work.data(), form_.stride(0), form_.degrees[0], u);
+    for (int row = 0; row <= form_->degrees[0]; ++row)
+      keep_right(work.data() + static_cast<std::size_t>(row) * form_->stride(0), 1,
+                 form_->degrees[1], v);
+    keep_right(work.data(), form_->stride(0), form_->degrees[0], u);
     out[k] = std::move(work.front());
   }
   return out;
@@ -111,7 +111,7 @@ bool PatchFoot::refine(int bits) {
     for (std::size_t k = 0; k < 2; ++k)
       numerators[k] = at_[k].mantissa() << static_cast<std::uint64_t>(at_[k].exponent() + fine);
     const Values r = at(numerators, {whole, whole});
-    const std::int64_t unit = net_bits_ + fine * (form_.degrees[0] + form_.degrees[1]);
+    const std::int64_t unit = net_bits_ + fine * (form_->degrees[0] + form_->degrees[1]);
     std::int64_t most = 0;
     for (const Integer& x : r) most = std::max(most, bits_of(x));
     if (most == 0) return true;

@@ -28,9 +28,12 @@ class PatchFoot {
   /// ones are.
   std::optional<std::array<Rational, 2>> exact_parameters(int bits) const;
 
+  /// Approximately.
+  const std::array<Dyadic, 2>& parameters() const { return at_; }
+
   /// Parameters that are roots of polynomials; see algebraic_parameters.
   std::optional<AlgebraicPair> irrational_parameters(int bits) const {
-    return algebraic_parameters(form_, net_, at_, bits);
+    return algebraic_parameters(*form_, net_, at_, bits);
   }
 
   /// Parameters of the point where it is the end of a collapsed side of the square.
@@ -44,7 +47,7 @@ class PatchFoot {
             const std::array<Integer, 2>& denominators) const;
   void find_tangents();
 
-  const TensorForm& form_;
+  const TensorForm* form_;
   std::array<std::vector<Integer>, 3> net_;  // relative to the point
   std::int64_t net_bits_ = 0;
   std::array<Dyadic, 2> at_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solids/classify/flat_place_internal.h"
 #include "solids/classify/ray_descent_internal.h"
 #include "solids/classify/sheet_net_internal.h"
 
@@ -126,14 +127,22 @@ bool PatchRays::misses(const Box3d& box, std::uint32_t first, std::uint32_t last
   return true;
 }
 
-AxisRay PatchRays::ray_from(const RayPoint& point) const {
+AxisRay PatchRays::ray_from(const RayPoint& point, std::span<const std::uint32_t> off) const {
   AxisRay out;
   double least = std::numeric_limits<double>::infinity();
+  bool is_across = false;
   for (std::size_t k = 0; k < 3; ++k)
     for (const bool is_upward : {true, false}) {
       const double c = point.rounded()[k];
       const double distance = is_upward ? hull_.hi[k] - c : c - hull_.lo[k];
-      if (distance < least) least = distance, out = {k, is_upward};
+      const AxisRay ray{k, is_upward};
+      const bool passes = std::all_of(off.begin(), off.end(), [&](std::uint32_t patch) {
+        return passes_through(*forms_[patch].plane, ray);
+      });
+      if (passes < is_across || (passes == is_across && !(distance < least))) continue;
+      least = distance;
+      is_across = passes;
+      out = ray;
     }
   return out;
 }
@@ -165,11 +174,28 @@ RayCount PatchRays::count_rounded(const RayPoint& point, const AxisRay& ray,
   return finish(descent, kTurns.size());
 }
 
+namespace {
+
+// How a flat patch lies to the line of the ray: it meets it in one point of the plane, if at all.
+RayPlace place_of_patch(const TensorForm& form, const RayPoint::Fractions& q, const AxisRay& ray,
+                        bool is_known_off) {
+  if (!form.plane) return RayPlace::kUnknown;
+  const Sign side = side_of(*form.plane, q);
+  if (side != 0) return place_beside(*form.plane, side, ray);
+  return is_known_off && passes_through(*form.plane, ray) ? RayPlace::kMissesRay
+                                                          : RayPlace::kUnknown;
+}
+
+}  // namespace
+
 RayCount PatchRays::count_exactly(const RayPoint& point, const AxisRay& ray, int levels,
-                                  std::uint32_t shell) const {
+                                  std::uint32_t shell, std::span<const std::uint32_t> off) const {
   RayDescent<ExactNet> descent(ray, {levels, kExactVisits, kMostOpen});
+  const RayPoint::Fractions q = point.fractions();
   visit_patches(point, ray, shell, [&](std::uint32_t patch) {
-    descent.add_patch(patch, ExactNet(forms_[patch], point));
+    const bool is_known_off = std::find(off.begin(), off.end(), patch) != off.end();
+    descent.add_patch(patch, ExactNet(forms_[patch], point),
+                      place_of_patch(forms_[patch], q, ray, is_known_off));
   });
   return finish(descent, 1);
 }
@@ -184,7 +210,9 @@ RayCount PatchRays::count_some(const RayPoint& point, std::uint32_t first, std::
   RayCount out = finish(rounded, kTurns.size());
   if (out.state == RayCount::State::kCounted) return out;
   RayDescent<ExactNet> exact(ray, {levels, kExactVisits, kMostOpen});
-  for (std::uint32_t p = first; p < last; ++p) exact.add_patch(p, ExactNet(forms_[p], point));
+  const RayPoint::Fractions q = point.fractions();
+  for (std::uint32_t p = first; p < last; ++p)
+    exact.add_patch(p, ExactNet(forms_[p], point), place_of_patch(forms_[p], q, ray, false));
   return finish(exact, 1);
 }
 

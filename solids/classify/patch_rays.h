@@ -2,6 +2,7 @@
 // solids/classify/patch_rays.h: the winding number of a closed patch complex around a point, by a ray along a
 // coordinate axis: in doubles where they decide, else in integers. Theory: docs/THEORY.md, POINT-3.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "solids/classify/axis_ray.h"
@@ -48,14 +49,18 @@ class PatchRays {
   RayCount count_some(const RayPoint& point, std::uint32_t first, std::uint32_t last,
                       int levels) const;
 
-  /// The ray along which the point is nearest to the end of the hull.
-  AxisRay ray_from(const RayPoint& point) const;
+  /// The ray along which the point is nearest to the end of the hull; among those that pass through all planes of
+  /// `off`, if there are any.
+  AxisRay ray_from(const RayPoint& point, std::span<const std::uint32_t> off = {}) const;
   /// @param shell  patches of other shells are ignored; PatchComplex::kNone: none is
   RayCount count_rounded(const RayPoint& point, const AxisRay& ray,
                          std::uint32_t shell = PatchComplex::kNone) const;
-  /// Pieces are halved `levels` times along an axis, then they are open.
+  /// Pieces are halved `levels` times along an axis, then they are open; those of flat patches only if the point is in
+  /// the plane.
+  /// @param off  flat patches that the point is known to be off, although it is in their planes
   RayCount count_exactly(const RayPoint& point, const AxisRay& ray, int levels,
-                         std::uint32_t shell = PatchComplex::kNone) const;
+                         std::uint32_t shell = PatchComplex::kNone,
+                         std::span<const std::uint32_t> off = {}) const;
 
  private:
   PatchRays(const PatchComplex& complex, int scale);

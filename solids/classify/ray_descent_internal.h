@@ -76,11 +76,16 @@ class RayDescent {
 
   RayDescent(const AxisRay& ray, const Limits& limits) : ray_(ray), limits_(limits) {}
 
-  void add_patch(std::uint32_t patch, Net net) {
+  /// @param known  how the whole patch lies to the line: the patch itself, not its hull
+  void add_patch(std::uint32_t patch, Net net, RayPlace known = RayPlace::kUnknown) {
     first_open_ = open_.size();
-    visit(
-        Piece{patch, {Parameter(), Parameter()}, {Net::parameter_one(), Net::parameter_one()}, {}},
-        std::move(net));
+    const Piece whole{
+        patch, {Parameter(), Parameter()}, {Net::parameter_one(), Net::parameter_one()}, {}};
+    switch (known) {
+      case RayPlace::kMissesRay: return;
+      case RayPlace::kMissesBackward: return add_sides(whole, net);
+      case RayPlace::kUnknown: return visit(whole, std::move(net));
+    }
   }
 
   const std::vector<OpenPiece>& open() const { return open_; }

@@ -266,7 +266,10 @@ std::optional<int> exact_winding_of(const ExactCurve& curve, int halvings) {
   return *a + *b;
 }
 
-// Times a positive number: the coefficients on [from, to], which lies in [begin, end].
+constexpr int kMostExactHalvings = 1 << 14;
+
+}  // namespace
+
 void restrict_to(std::vector<Integer>& line, const Dyadic& begin, const Dyadic& end,
                  const Dyadic& from, const Dyadic& to) {
   std::int64_t least = 0;
@@ -286,10 +289,6 @@ void restrict_to(std::vector<Integer>& line, const Dyadic& begin, const Dyadic& 
   }
   line = std::move(out);
 }
-
-constexpr int kMostExactHalvings = 1 << 14;
-
-}  // namespace
 
 std::optional<int> ExactNet::winding(const Curve& curve, const Parameter& begin,
                                      const Parameter& end, const Parameter& from,

@@ -120,6 +120,11 @@ class RoundedNet {
   std::array<std::array<double, 2>, 3> ends_{};  // least and greatest
 };
 
+/// Times a positive number: the Bernstein coefficients on [from, to], which lies in [begin, end], of a polynomial with
+/// these coefficients on [begin, end].
+void restrict_to(std::vector<Integer>& line, const Dyadic& begin, const Dyadic& end,
+                 const Dyadic& from, const Dyadic& to);
+
 /// The coordinates of all control points relative to the point, times the weights and one positive number.
 std::array<std::vector<Integer>, 3> relative_coefficients(const TensorForm& form,
                                                           const RayPoint& point);

@@ -19,6 +19,57 @@ Patch::Tensor tensor_of(const Patch& patch) {
   return patch.is_triangle() ? as_tensor_product(patch.triangle()) : patch.tensor();
 }
 
+using IntegerVector = std::array<Integer, 3>;
+
+IntegerVector product(const IntegerVector& a, const IntegerVector& b) {
+  IntegerVector out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;
+    out[k] = a[p] * b[q];
+    out[k].subtract_product(a[q], b[p]);
+  }
+  return out;
+}
+bool is_zero(const IntegerVector& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }
+
+// Through the first control points that are not on one line, if all others are on it.
+std::optional<FormPlane> plane_of(const TensorForm& form) {
+  const auto& [x, y, z, w] = form.exact;
+  // Times a positive number, from control point 0.
+  const auto from_first = [&](std::size_t i) {
+    IntegerVector out;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::vector<Integer>& c = form.exact[k];
+      if (form.exact[3][i] == form.exact[3][0])
+        out[k] = c[i] - c[0];
+      else
+        out[k] = c[i] * form.exact[3][0] - c[0] * form.exact[3][i];
+    }
+    return out;
+  };
+  IntegerVector along, normal;
+  bool has_normal = false;
+  for (std::size_t i = 1; i < form.count(); ++i) {
+    IntegerVector d = from_first(i);
+    if (has_normal) {
+      Integer height = normal[0] * d[0];
+      height.add_product(normal[1], d[1]);
+      height.add_product(normal[2], d[2]);
+      if (!height.is_zero()) return std::nullopt;
+    } else if (is_zero(along)) {
+      along = std::move(d);
+    } else {
+      normal = product(along, d);
+      has_normal = !is_zero(normal);
+    }
+  }
+  if (!has_normal) return std::nullopt;
+  FormPlane out;
+  out.offset = normal[0] * x[0] + normal[1] * y[0] + normal[2] * z[0];
+  for (std::size_t k = 0; k < 3; ++k) out.normal[k] = normal[k] * w[0];
+  return out;
+}
+
 Rational divided(const Rational& x, std::int64_t power) {
   return x * Rational::power_of_two(-power);
 }
@@ -61,6 +112,7 @@ TensorForm::TensorForm(const Patch::Tensor& map, int scale) : degrees(map.degree
       rounded[k].push_back(nearest_double(divided(x, is_weight ? weight : weight + scale)));
     }
   }
+  plane = plane_of(*this);
 }
 
 TensorForm::TensorForm(const PatchComplex& complex, std::uint32_t patch, int scale)

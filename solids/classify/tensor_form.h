@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "robust/integer.h"
@@ -20,6 +21,12 @@ struct GluedSide {
   bool is_forward = true;
 };
 
+/// The points (x, y, z) with normal . (x, y, z) = offset; in coordinates of the model.
+struct FormPlane {
+  std::array<Integer, 3> normal;
+  Integer offset;
+};
+
 /// Sides of the square, counterclockwise: v = 0, u = 1, v = 1, u = 0. A triangle becomes S(u, v) = map(1 - u,
 /// u (1 - v), u v): its sides 0, 1, 2 are those of the square, and side 3 is collapsed to corner 0.
 struct TensorForm {
@@ -30,6 +37,8 @@ struct TensorForm {
   /// model, and rounded to nearest.
   std::array<std::vector<double>, 4> rounded;
   std::array<GluedSide, 4> sides{};
+  /// The plane that holds the patch, if there is one and only one.
+  std::optional<FormPlane> plane;
   int coefficient = 1;      ///< of the patch in its chain
   std::uint32_t shell = 0;  ///< windings are counted for each
 

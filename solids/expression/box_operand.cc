@@ -17,6 +17,10 @@ class BoxOperand : public Operand {
     }
   }
 
+  OperandPlace place(const Vec3d& point) const override { return OperandPlace::with(value(point)); }
+  OperandPlace place(const ExactPoint& point) const override {
+    return OperandPlace::with(value(point));
+  }
   // Roundings are monotone: binary64 numbers compare with a bound as with its rounding to their side.
   Value3 value(const Vec3d& point) const override {
     const Point3d p = to_point(point);
@@ -40,7 +44,8 @@ class BoxOperand : public Operand {
         return Value3::kMixed;
     return Value3::kOne;
   }
-  std::optional<TangentCone> tangent_cone(const ExactPoint& point) const override {
+  std::optional<TangentCone> tangent_cone(const ExactPoint& point,
+                                          const OperandPlace&) const override {
     return flat_tangent_cone(flat_cone(box_, point));
   }
   ExactBox<3> box() const override { return box_; }

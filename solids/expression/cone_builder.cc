@@ -241,8 +241,32 @@ bool ConeBuilder::add_enclosed_interior(const Patch& patch, std::uint32_t number
   sheet.is_flat = out_.is_flat = false;
   sheet.patch = &patch;
   out_.sheets.push_back(std::move(sheet));
-  out_.enclosure = {at, normal_enclosure(patch, at)};
+  out_.enclosure = {at, jet_enclosure(patch, at).normal};
   return true;
+}
+
+void ConeBuilder::add_enclosed_edge(const std::array<const Patch*, 2>& patches,
+                                    const std::array<PatchSide, 2>& sides,
+                                    const ExactInterval& along) {
+  ConeSheet sheet;
+  sheet.number = sides[0].patch;
+  sheet.is_flat = out_.is_flat = false;
+  sheet.patch = patches[0];
+  out_.sheets.push_back(std::move(sheet));
+  const ExactInterval back{Rational(1) - along.hi, Rational(1) - along.lo};
+  TangentCone::EnclosedEdge edge;
+  EnclosedVector travel;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const JetEnclosure jet = jet_enclosure(
+        *patches[i], side_enclosure(*patches[i], sides[i].side, i == 0 ? along : back));
+    edge.normals[i] = jet.normal;
+    if (i == 0) travel = along_side(*patches[0], sides[0].side, jet);
+  }
+  for (const Patch* patch : patches)
+    if (const auto n = flat_normal(*patch)) edge.plane = plane(*n, any_across(*n));
+  // The first patch lies to the left of the travel, seen from the tip of its normal, and the second one to the right.
+  edge.convexity = sign_of(dotted(crossed(edge.normals[0], edge.normals[1]), travel));
+  out_.edge = std::move(edge);
 }
 
 bool ConeBuilder::add_flat_interior(const Patch& patch, std::uint32_t number) {

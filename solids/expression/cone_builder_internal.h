@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/expression/cone_builder_internal.h: tangent cones, put together from the patches at a point.
 #pragma once
+#include <array>
 #include <optional>
 
 #include "solids/expression/patch_jet_internal.h"
 #include "solids/expression/tangent_cone.h"
+#include "solids/patches/patch_complex.h"
 
 namespace veritope::internal {
 
@@ -20,6 +22,10 @@ class ConeBuilder {
   /// At irrational parameters: the boxes that hold the place, of a patch that is not flat, and the normal there.
   bool add_enclosed_interior(const Patch& patch, std::uint32_t number,
                              const std::array<ExactInterval, 2>& at);
+  /// On a common side of two patches at an irrational parameter: boxes that hold both normals.
+  /// @param along  the parameter of the first patch's side in its direction of travel; the other one has 1 - t
+  void add_enclosed_edge(const std::array<const Patch*, 2>& patches,
+                         const std::array<PatchSide, 2>& sides, const ExactInterval& along);
   /// Places whose parameters are irrational: of flat patches and straight sides only.
   bool add_flat_interior(const Patch& patch, std::uint32_t number);
   bool add_flat_side(const Patch& patch, std::uint32_t number, std::uint32_t side);

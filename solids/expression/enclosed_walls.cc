@@ -14,12 +14,13 @@ namespace {
 
 constexpr std::size_t kMostSurfaces = 12, kMostNormals = 12;
 
-// The cones with an enclosure, in classes of one surface: the bit of each is that of its class, or the other one.
+// The enclosed cones, in classes of one surface: the bit of each is that of its class, or the other one. Those of edges
+// are alone.
 class Ties {
  public:
   explicit Ties(std::span<const TangentCone> cones) {
     for (std::size_t i = 0; i < cones.size(); ++i) {
-      if (!cones[i].enclosure) continue;
+      if (!cones[i].is_enclosed()) continue;
       std::size_t c = 0;
       int tie = 0;
       for (; c < first_.size(); ++c)
@@ -30,6 +31,12 @@ class Ties {
   }
 
   std::size_t size() const { return first_.size(); }
+  /// A mask for the class of a cone.
+  std::uint32_t class_of(std::size_t cone) const {
+    const auto at = std::find_if(members_.begin(), members_.end(),
+                                 [&](const Member& m) { return m.cone == cone; });
+    return std::uint32_t{1} << at->number;
+  }
   /// Sets the bits of all members.
   void set(std::uint32_t pattern, NearbyBits& bits) const {
     for (const Member& m : members_)
@@ -43,6 +50,7 @@ class Ties {
   };
   // The search for a common point is not symmetric.
   static int tie_of(const TangentCone& a, const TangentCone& b) {
+    if (a.edge || b.edge) return 0;
     const int tie = enclosed_tie(a, b);
     return tie != 0 ? tie : enclosed_tie(b, a);
   }
@@ -51,18 +59,39 @@ class Ties {
   std::vector<Member> members_;
 };
 
-// The patterns of bits that the cones with sectors may have near the apex: if they are flat, those that they have;
-// otherwise all. Others are 0.
-std::vector<NearbyBits> patterns_of_sectors(std::span<const TangentCone> cones) {
+struct Pattern {
+  NearbyBits bits;  // of the cones with sectors; others are 0
+  struct Fixed {
+    std::size_t cone;
+    bool bit;
+  };
+  std::vector<Fixed> fixed;  // bits of edges
+};
+
+// An edge whose bit one side of a plane tells.
+struct PlaneOfEdge {
+  std::size_t cone;
+  bool is_behind;  // the side on which the bit is known: it is 1 behind the plane, 0 in front of it
+};
+
+// The patterns that may occur near the apex: if the cones with sectors are flat, those that they have, beside the
+// planes of edges; otherwise all.
+std::vector<Pattern> patterns_near(std::span<const TangentCone> cones) {
   std::vector<TangentCone> exact;
   std::vector<std::size_t> number;
   bool are_flat = true;
   for (std::size_t i = 0; i < cones.size(); ++i)
-    if (!cones[i].enclosure) {
+    if (!cones[i].is_enclosed()) {
       exact.push_back(cones[i]);
       number.push_back(i);
       are_flat = are_flat && cones[i].is_flat;
     }
+  std::vector<PlaneOfEdge> planes;  // their cones are the last ones
+  for (std::size_t i = 0; i < cones.size(); ++i) {
+    if (!cones[i].edge || !cones[i].edge->plane || cones[i].edge->convexity == 0) continue;
+    exact.push_back(flat_tangent_cone({*cones[i].edge->plane}));
+    planes.push_back({i, cones[i].edge->convexity < 0});
+  }
   std::set<NearbyBits> found;
   if (exact.empty() || are_flat) {
     if (exact.empty()) found.insert(NearbyBits());
@@ -75,31 +104,43 @@ std::vector<NearbyBits> patterns_of_sectors(std::span<const TangentCone> cones) 
       found.insert(std::move(bits));
     }
   }
-  std::vector<NearbyBits> out;
+  std::vector<Pattern> out;
   for (const NearbyBits& bits : found) {
-    out.emplace_back(cones.size());
-    for (std::size_t k = 0; k < bits.size(); ++k) out.back()[number[k]] = bits[k];
+    out.push_back({NearbyBits(cones.size()), {}});
+    for (std::size_t k = 0; k < number.size(); ++k) out.back().bits[number[k]] = bits[k];
+    for (std::size_t k = 0; k < planes.size(); ++k)
+      if (bits[number.size() + k] == planes[k].is_behind)
+        out.back().fixed.push_back({planes[k].cone, planes[k].is_behind});
   }
   return out;
 }
 
 // Over all patterns that may occur.
-ValuesNear values_of_patterns(const Ties& ties, std::vector<NearbyBits> patterns,
+ValuesNear values_of_patterns(const Ties& ties, std::vector<Pattern> patterns,
                               const NearbyFunction& f) {
   if (ties.size() > kMostSurfaces || patterns.empty()) return ValuesNear::kUnknown;
   const std::uint32_t count = std::uint32_t{1} << ties.size();
   std::vector<std::vector<bool>> values(patterns.size(), std::vector<bool>(count));
-  bool has[2] = {};
-  for (std::size_t k = 0; k < patterns.size(); ++k)
+  bool has[2] = {}, is_any_fixed = false;
+  for (std::size_t k = 0; k < patterns.size(); ++k) {
+    std::uint32_t fixed = 0, wanted = 0;
+    for (const auto& [cone, bit] : patterns[k].fixed) {
+      fixed |= ties.class_of(cone);
+      wanted |= bit ? ties.class_of(cone) : 0;
+    }
+    is_any_fixed = is_any_fixed || fixed != 0;
     for (std::uint32_t classes = 0; classes < count; ++classes) {
-      ties.set(classes, patterns[k]);
-      const bool value = f(patterns[k]);
+      if ((classes & fixed) != wanted) continue;
+      ties.set(classes, patterns[k].bits);
+      const bool value = f(patterns[k].bits);
       values[k][classes] = value;
       has[value ? 1 : 0] = true;
     }
+  }
   if (!has[0] || !has[1]) return has[1] ? ValuesNear::kOnlyOne : ValuesNear::kOnlyZero;
   // Both bits of one surface occur.
-  if (std::any_of(values.begin(), values.end(), [&](const auto& v) { return v != values[0]; }))
+  if (is_any_fixed ||
+      std::any_of(values.begin(), values.end(), [&](const auto& v) { return v != values[0]; }))
     return ValuesNear::kUnknown;
   std::size_t num_needed = 0;
   for (std::size_t c = 0; c < ties.size(); ++c) {
@@ -119,10 +160,9 @@ class Directions {
       : cones_(cones), f_(f), bits_(cones.size()) {
     for (const TangentCone& cone : cones)
       if (cone.enclosure) {
-        Vector n;
-        for (std::size_t k = 0; k < 3; ++k)
-          n[k] = (cone.enclosure->normal[k].lo + cone.enclosure->normal[k].hi) / Rational(2);
-        normals_.push_back(shortened_vector(n));
+        add_middle(cone.enclosure->normal);
+      } else if (cone.edge) {
+        for (const EnclosedVector& n : cone.edge->normals) add_middle(n);
       } else {
         for (const Sector& s : cone.sectors)
           normals_.push_back(shortened_vector(
@@ -149,6 +189,12 @@ class Directions {
 
  private:
   bool has_both() const { return has_[0] && has_[1]; }
+
+  void add_middle(const EnclosedVector& normal) {
+    Vector n;
+    for (std::size_t k = 0; k < 3; ++k) n[k] = (normal[k].lo + normal[k].hi) / Rational(2);
+    normals_.push_back(shortened_vector(n));
+  }
 
   // Few bits: directions are only tried.
   static Vector shortened_vector(const Vector& a) {
@@ -178,19 +224,31 @@ class Directions {
     const Direction direction = exact_direction(d);
     for (std::size_t i = 0; i < cones_.size(); ++i) {
       const TangentCone& cone = cones_[i];
-      if (!cone.enclosure) {
+      if (!cone.is_enclosed()) {
         for (const Sector& s : cone.sectors)
           if (side(s.normal, direction) == 0) return;
         bits_[i] = is_inside(cone.sectors, direction);
         continue;
       }
-      ExactInterval along{0, 0};
-      for (std::size_t k = 0; k < 3; ++k)
-        along = sum(along, product(cone.enclosure->normal[k], {d[k], d[k]}));
-      if (along.lo.sign() <= 0 && along.hi.sign() >= 0) return;
-      bits_[i] = along.hi.sign() < 0;
+      const Sign side =
+          cone.edge ? side_of_edge(*cone.edge, d) : side_of(cone.enclosure->normal, d);
+      if (side == 0) return;
+      bits_[i] = side < 0;
     }
     has_[f_(bits_) ? 1 : 0] = true;
+  }
+
+  static Sign side_of(const EnclosedVector& normal, const Vector& d) {
+    EnclosedVector exact;
+    for (std::size_t k = 0; k < 3; ++k) exact[k] = {d[k], d[k]};
+    return sign_of(dotted(normal, exact));
+  }
+  // Negative inside. In front of one patch and behind the other one a direction is outside if the solid has less than a
+  // half turn at the edge, inside if it has more.
+  static Sign side_of_edge(const TangentCone::EnclosedEdge& edge, const Vector& d) {
+    const Sign a = side_of(edge.normals[0], d), b = side_of(edge.normals[1], d);
+    if (a == 0 || b == 0) return Sign::kZero;
+    return a == b ? a : edge.convexity;
   }
 
   static Direction exact_direction(const Vector& d) {
@@ -209,7 +267,7 @@ class Directions {
 }  // namespace
 
 ValuesNear values_near(std::span<const TangentCone> cones, const NearbyFunction& f) {
-  const ValuesNear by_patterns = values_of_patterns(Ties(cones), patterns_of_sectors(cones), f);
+  const ValuesNear by_patterns = values_of_patterns(Ties(cones), patterns_near(cones), f);
   if (by_patterns != ValuesNear::kUnknown) return by_patterns;
   return Directions(cones, f).have_both_values() ? ValuesNear::kBoth : ValuesNear::kUnknown;
 }

@@ -26,23 +26,25 @@ ExactPoint exact_point(const Vec3d& p) {
 
 }  // namespace
 
-// The values of operands at one point, each asked for once.
+// What operands say of one point, each asked for once.
 class ExpressionClassifier::Values {
  public:
-  explicit Values(std::size_t num_operands) : values_(num_operands), known_at_(num_operands) {}
+  explicit Values(std::size_t num_operands) : places_(num_operands), known_at_(num_operands) {}
 
   void next_point() { ++point_; }
   template <typename ValueOf>
   Value3 of(std::uint32_t variable, ValueOf&& ask) {
     if (known_at_[variable] != point_) {
-      values_[variable] = ask(variable);
+      places_[variable] = ask(variable);
       known_at_[variable] = point_;
     }
-    return values_[variable];
+    return places_[variable].value;
   }
+  // REQUIRES that it was asked for.
+  const OperandPlace& place(std::uint32_t variable) const { return places_[variable]; }
 
  private:
-  std::vector<Value3> values_;
+  std::vector<OperandPlace> places_;
   std::vector<std::uint64_t> known_at_;
   std::uint64_t point_ = 0;
 };
@@ -56,17 +58,18 @@ PointWord ExpressionClassifier::classify_at(const Point& point, Values& values,
                                             OpenWord* why) const {
   values.next_point();
   const auto value_of = [&](std::uint32_t variable) {
-    return values.of(variable, [&](std::uint32_t v) { return operands_[v]->value(point); });
+    return values.of(variable, [&](std::uint32_t v) { return operands_[v]->place(point); });
   };
   const Formula& formula = cells_.at(point);
   const Value3 value = formula.value(value_of);
   if (is_constant(value)) return word_of(value == Value3::kOne);
-  return on_walls(exact_point(point), formula.folded(value_of), why);
+  const Formula rest = formula.folded(value_of);
+  return on_walls(exact_point(point), rest, values, why);
 }
 
 // POINT-6 to POINT-8: the point is on the boundaries of all operands of `rest`, or some are open.
 PointWord ExpressionClassifier::on_walls(const ExactPoint& point, const Formula& rest,
-                                         OpenWord* why) const {
+                                         const Values& values, OpenWord* why) const {
   const auto open = [&](OpenWord because) {
     if (why != nullptr) *why = std::move(because);
     return PointWord::kUndecided;
@@ -77,16 +80,15 @@ PointWord ExpressionClassifier::on_walls(const ExactPoint& point, const Formula&
   const std::vector<std::uint32_t> variables = diagram ? diagram->support() : rest.variables();
   if (variables.size() == 1) {
     const std::uint32_t v = variables[0];
-    return operands_[v]->is_open(point) ? open({OpenWord::Reason::kPlace, {v}, {}})
-                                        : PointWord::kOn;
+    return values.place(v).is_open ? open({OpenWord::Reason::kPlace, {v}, {}}) : PointWord::kOn;
   }
   std::vector<TangentCone> cones;
   bool are_flat = true;
   for (const std::uint32_t v : variables) {
-    std::optional<TangentCone> cone = operands_[v]->tangent_cone(point);
+    std::optional<TangentCone> cone = operands_[v]->tangent_cone(point, values.place(v));
     if (!cone)
       return open(
-          {operands_[v]->is_open(point) ? OpenWord::Reason::kPlace : OpenWord::Reason::kDirections,
+          {values.place(v).is_open ? OpenWord::Reason::kPlace : OpenWord::Reason::kDirections,
            {v},
            {}});
     are_flat = are_flat && cone->is_flat;
@@ -100,8 +102,8 @@ PointWord ExpressionClassifier::on_walls(const ExactPoint& point, const Formula&
     if (diagram) return diagram->value(bit_of);
     return rest.value([&](std::uint32_t v) { return to_value(bit_of(v)); }) == Value3::kOne;
   };
-  if (const auto enclosed = std::find_if(
-          cones.begin(), cones.end(), [](const TangentCone& c) { return c.enclosure.has_value(); });
+  if (const auto enclosed = std::find_if(cones.begin(), cones.end(),
+                                         [](const TangentCone& c) { return c.is_enclosed(); });
       enclosed != cones.end()) {
     switch (internal::values_near(cones, f)) {
       case internal::ValuesNear::kOnlyZero: return PointWord::kOut;
@@ -128,25 +130,18 @@ PointWord ExpressionClassifier::classify(const Vec3d& point) const {
   return classify_at(point, values);
 }
 
-PointWord ExpressionClassifier::classify(const ExactPoint& point) const {
+PointWord ExpressionClassifier::classify(const ExactPoint& point, OpenWord* why) const {
   Values values(operands_.size());
-  return classify_at(point, values);
-}
-
-std::optional<OpenWord> ExpressionClassifier::why_undecided(const ExactPoint& point) const {
-  Values values(operands_.size());
-  OpenWord out;
-  if (classify_at(point, values, &out) != PointWord::kUndecided) return std::nullopt;
-  return out;
+  return classify_at(point, values, why);
 }
 
 void ExpressionClassifier::classify(std::span<const Vec3d> points, std::span<PointWord> words,
-                                    unsigned jobs) const {
+                                    unsigned jobs, std::span<OpenWord> why) const {
   parallel_for(points.size(), kChunkOfExpressionPoints, jobs,
                [&](std::size_t, std::size_t begin, std::size_t end) {
                  Values values(operands_.size());
                  for (std::size_t i = begin; i < end; ++i)
-                   words[i] = classify_at(points[i], values);
+                   words[i] = classify_at(points[i], values, why.empty() ? nullptr : &why[i]);
                });
 }
 

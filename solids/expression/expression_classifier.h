@@ -39,11 +39,12 @@ class ExpressionClassifier {
 
   /// REQUIRES finite coordinates.
   PointWord classify(const Vec3d& point) const;
-  PointWord classify(const ExactPoint& point) const;
-  /// Nothing if the word is decided. @cost that of classify
-  std::optional<OpenWord> why_undecided(const ExactPoint& point) const;
-  /// All at once, by `jobs` threads; the answers do not depend on their number. REQUIRES equal sizes.
-  void classify(std::span<const Vec3d> points, std::span<PointWord> words, unsigned jobs) const;
+  /// @param why  set if the word is undecided
+  PointWord classify(const ExactPoint& point, OpenWord* why = nullptr) const;
+  /// All at once, by `jobs` threads; the answers do not depend on their number. REQUIRES equal sizes; `why` may be
+  /// empty.
+  void classify(std::span<const Vec3d> points, std::span<PointWord> words, unsigned jobs,
+                std::span<OpenWord> why = {}) const;
 
   /// The value of R on a closed box. Mixed also where only the values of single operands are: x and not x.
   Value3 value(const Box3d& box) const;
@@ -55,7 +56,8 @@ class ExpressionClassifier {
   class Values;
   template <typename Point>
   PointWord classify_at(const Point& point, Values& values, OpenWord* why = nullptr) const;
-  PointWord on_walls(const ExactPoint& point, const Formula& rest, OpenWord* why) const;
+  PointWord on_walls(const ExactPoint& point, const Formula& rest, const Values& values,
+                     OpenWord* why) const;
 
   Formula formula_;
   std::vector<std::shared_ptr<const Operand>> operands_;

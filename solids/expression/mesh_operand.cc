@@ -9,12 +9,17 @@ class MeshOperand : public Operand {
   explicit MeshOperand(TriangleMesh mesh)
       : mesh_(std::move(mesh)), classifier_(std::move(MeshClassifier::make(mesh_).value())) {}
 
+  OperandPlace place(const Vec3d& point) const override { return OperandPlace::with(value(point)); }
+  OperandPlace place(const ExactPoint& point) const override {
+    return OperandPlace::with(value(point));
+  }
   Value3 value(const Vec3d& point) const override { return value_of(classifier_.classify(point)); }
   Value3 value(const ExactPoint& point) const override {
     return value_of(classifier_.classify(point));
   }
   Value3 value(const Box3d& box) const override { return classifier_.value(box); }
-  std::optional<TangentCone> tangent_cone(const ExactPoint& point) const override {
+  std::optional<TangentCone> tangent_cone(const ExactPoint& point,
+                                          const OperandPlace&) const override {
     const std::vector<std::uint32_t> facets = classifier_.facets_at(point);
     TangentCone out = flat_tangent_cone(flat_cone(mesh_, facets, point));
     for (std::size_t i = 0; i < facets.size(); ++i) out.sheets[i].number = facets[i];

@@ -76,7 +76,12 @@ std::optional<TangentCone> PatchCones::at(const OnPatch& where) const {
         return std::nullopt;
     } else if (!cone.add_flat_side(patch, where.patch, side) ||
                !cone.add_flat_side(other, mate.patch, mate.side)) {
-      return std::nullopt;
+      const ExactInterval at = internal::enclosed(*along);
+      internal::ConeBuilder enclosed;
+      enclosed.add_enclosed_edge(
+          {&patch, &other}, {PatchSide{where.patch, side}, mate},
+          is_downward ? ExactInterval{Rational(1) - at.hi, Rational(1) - at.lo} : at);
+      return enclosed.take();
     }
     return cone.take();
   }

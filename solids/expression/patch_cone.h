@@ -21,9 +21,9 @@ class PatchCones {
   explicit PatchCones(const PatchComplex& complex);
 
   /// Nothing at an apex: an end of a collapsed side whose next row is not in one plane with it, or does not turn around
-  /// it in one direction; where two sectors have more than rims in common, as along an edge of angle 0; and where a
-  /// direction is irrational: inside of a patch that is not flat, or on a side that is not straight, at irrational
-  /// parameters.
+  /// it in one direction; and where two sectors have more than rims in common, as along an edge of angle 0. Where a
+  /// direction is irrational, inside of a patch that is not flat, or on a side that is not straight, at irrational
+  /// parameters, the cone is enclosed.
   std::optional<TangentCone> at(const OnPatch& where) const;
 
  private:

@@ -9,22 +9,20 @@ class PatchOperand : public Operand {
  public:
   explicit PatchOperand(std::unique_ptr<const PatchComplex> patches)
       : patches_(std::move(patches)),
-        classifier_(PatchClassifier::make(*patches_, false)),
+        classifier_(PatchClassifier::of_valid_model(*patches_)),
         cones_(*patches_) {}
 
+  OperandPlace place(const Vec3d& point) const override { return ask(point); }
+  OperandPlace place(const ExactPoint& point) const override { return ask(point); }
   Value3 value(const Vec3d& point) const override { return value_of(classifier_.classify(point)); }
   Value3 value(const ExactPoint& point) const override {
     return value_of(classifier_.classify(point));
   }
   Value3 value(const Box3d& box) const override { return classifier_.value(box); }
-  bool is_open(const ExactPoint& point) const override {
-    return !classifier_.classify(point).is_decided;
-  }
-  std::optional<TangentCone> tangent_cone(const ExactPoint& point) const override {
-    std::optional<OnPatch> where;
-    classifier_.classify(point, &where);
-    if (!where) return std::nullopt;
-    std::optional<TangentCone> cone = cones_.at(*where);
+  std::optional<TangentCone> tangent_cone(const ExactPoint&,
+                                          const OperandPlace& place) const override {
+    if (!place.on_patch) return std::nullopt;
+    std::optional<TangentCone> cone = cones_.at(*place.on_patch);
     if (cone)
       cone->place_of = [this](const Patch& patch, const ExactPoint& p) {
         return place_of(patch, p);
@@ -42,6 +40,14 @@ class PatchOperand : public Operand {
   OperandParts parts() const override { return {nullptr, nullptr, patches_.get(), &classifier_}; }
 
  private:
+  template <typename Point>
+  OperandPlace ask(const Point& point) const {
+    OperandPlace out;
+    const PointAnswer answer = classifier_.classify(point, &out.on_patch);
+    out.value = value_of(answer);
+    out.is_open = !answer.is_decided;
+    return out;
+  }
   std::optional<std::array<Rational, 2>> place_of(const Patch& patch, const ExactPoint& p) const {
     std::optional<OnPatch> where;
     classifier_.classify(p, &where);

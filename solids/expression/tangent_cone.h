@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "robust/base/sign.h"
 #include "solids/expression/flat_cone.h"
 #include "solids/patches/patch.h"
 
@@ -47,6 +48,18 @@ struct TangentCone {
     std::array<ExactInterval, 3> normal;
   };
   std::optional<Enclosure> enclosure;
+  /// On the common side of two patches, at an irrational parameter, there is no sector either, but boxes that hold
+  /// positive multiples of their normals.
+  struct EnclosedEdge {
+    std::array<std::array<ExactInterval, 3>, 2> normals;
+    /// Positive: the solid has less than a half turn there; negative: more; zero: that is not known.
+    Sign convexity = Sign::kZero;
+    /// The whole plane of a patch that is flat, which holds the edge. With less than a half turn the solid is behind it
+    /// near the apex, with more all points behind it are in the solid.
+    std::optional<Sector> plane;
+  };
+  std::optional<EnclosedEdge> edge;
+  bool is_enclosed() const { return enclosure || edge; }
   /// The parameters at which a patch of this solid has a point, if that is found and rational. Set by solids with
   /// patches.
   std::function<std::optional<std::array<Rational, 2>>(const Patch&, const ExactPoint&)> place_of;

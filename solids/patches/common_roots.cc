@@ -175,9 +175,10 @@ CommonRoots common_roots(std::span<const Polynomial> polynomials) {
   if (common.size() == 2) {
     const Rational root = -common[0] / common[1];
     if (Rational(0) <= root && root <= Rational(1)) out.roots.push_back({root, root});
-    return out;
+  } else {
+    out.roots = Isolation(common).run();
   }
-  out.roots = Isolation(std::move(common)).run();
+  if (!out.roots.empty()) out.polynomial = std::move(common);
   return out;
 }
 

@@ -22,6 +22,9 @@ struct CommonRoots {
   /// [a, a] is the root a. [a, b] with a < b holds one root, which is irrational or has a denominator of over 20 bits,
   /// and no other. Ascending; intervals may have ends in common, which are no roots.
   std::vector<std::array<Rational, 2>> roots;
+  /// A polynomial without multiple roots, whose roots in [0,1] these are; at the ends of [a, b] its signs differ. Empty
+  /// if there is no root.
+  Polynomial polynomial;
 };
 /// REQUIRES at least one polynomial. @cost a greatest common divisor of each two, then a Sturm chain
 CommonRoots common_roots(std::span<const Polynomial> polynomials);

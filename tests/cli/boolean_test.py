@@ -137,6 +137,13 @@ class Boolean(Expressions):
         self.assertEqual(json.loads((self.folder / "j.json").read_text())["undecided"],
                          [{"line": 2, "reason": "face 0 of low.vjson and face 3 of beside.vjson touch there"}])
         self.assertIn("1 of 2 points are undecided; line 2: face 0 of low.vjson and", " ".join(done.stderr.split()))
+        self.assertEqual(json.loads((self.folder / "j.json").read_text())["undecided_not_listed"], 0)
+        many = "".join(f"1 0 {i}/100\n" for i in range(1, 151))              # the cylinders touch along a line
+        done = run("classify", "e.json", "-", "--json", "j.json", "-o", "a.txt", cwd=self.folder, input=many)
+        report = json.loads((self.folder / "j.json").read_text())
+        self.assertEqual((done.returncode, schema.faults(report)), (3, []))
+        self.assertEqual((report["counts"]["undecided"], report["undecided_not_listed"]), (150, 50))
+        self.assertEqual([u["line"] for u in report["undecided"]], list(range(1, 101)))
 
     def test_operands_are_decided_first(self):
         self.assertIn("operand B: INVALID open.off", self.boolean("A | B", "A=a.off", "B=open.off", "-o", "x.json", status=1))

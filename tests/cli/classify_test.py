@@ -189,6 +189,72 @@ class Classify(Folder):
             done = subprocess.run([*checker, model, certificate, answers], capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
+    def how(self, *options, model=None):
+        """What the JSON report says of how the points were asked."""
+        report = json.loads(run("classify", model or self.box, self.points, *options, "-o", self.folder / "a.txt", "--json", "-").stdout)
+        self.assertEqual(schema.faults(report), [])
+        return {key: report[key] for key in ("decimals", "by", "origin", "winding", "reversed")}
+
+    def test_the_report_says_how_the_points_were_asked(self):
+        plain = {"decimals": "nearest", "by": "service", "origin": None, "winding": False, "reversed": None}
+        self.assertEqual(self.how(), plain)
+        self.assertEqual(self.how("--winding", "--decimals", "exact"), plain | {"winding": True, "decimals": "exact"})
+        self.assertEqual(self.how("--by", "normal"), plain | {"by": "normal", "origin": ["0/1", "0/1", "0/1"]})
+        self.assertEqual(self.how("--by", "literal", "--origin", "1/3,-2,0.5"), plain | {"by": "literal", "origin": ["1/3", "-2/1", "1/2"]})
+        taken = self.how("--by", "normal", "--origin", "auto")["origin"]
+        self.assertEqual(len(taken), 3)
+
+    def test_the_report_lists_what_orient_auto_reversed(self):
+        mixed = self.file("mixed.off", off(FACES[:2] + [f[::-1] for f in FACES[2:4]] + FACES[4:]))
+        reversed_ = self.how("--orient", "auto", model=mixed)["reversed"]
+        (certified,) = json.loads(run("certify", "--orient", "auto", mixed, "--json", "-").stdout)["files"]
+        self.assertEqual((reversed_["parts"], reversed_["total"]), ("faces", certified["reversed"]["faces"]))
+        self.assertEqual(len(reversed_["first"]), reversed_["total"])
+        self.assertIsNone(self.how("--orient", "auto")["reversed"])
+        many = self.file("many.off", self.inside_out_grid())
+        reversed_ = self.how("--orient", "auto", model=many)["reversed"]
+        self.assertEqual((reversed_["total"], reversed_["first"]), (12 * 16, list(range(100))))
+
+    @staticmethod
+    def inside_out_grid(n=4):
+        """The cube [0,n]^3 of triangles of the lattice, inside out."""
+        numbers, faces = {}, []
+        def corner(axis, side, a, b):
+            at = [0, 0, 0]
+            at[axis], at[(axis + 1) % 3], at[(axis + 2) % 3] = side, a, b
+            return numbers.setdefault(tuple(at), len(numbers))
+        for axis in range(3):
+            for side in 0, n:
+                for a in range(n):
+                    for b in range(n):
+                        q = [corner(axis, side, a + i, b + j) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                        q = q[::-1] if side == n else q
+                        faces += [(q[0], q[1], q[2]), (q[0], q[2], q[3])]
+        lines = [" ".join(map(str, p)) for p in numbers] + ["3 " + " ".join(map(str, f)) for f in faces]
+        return f"OFF\n{len(numbers)} {len(faces)} 0\n" + "\n".join(lines) + "\n"
+
+    def test_points_of_flat_faces_at_parameters_of_a_high_degree(self):
+        square = lambda n, points: {"kind": "surface", "group": None, "attributes": [], "shape": {
+            "degrees": [n, n], "periodic": [False, False], "knots": [["0"] * (n + 1) + ["1"] * (n + 1)] * 2, "rational": False, "components": 3,
+            "points": [[str(c) for c in p] for p in points]}}
+        def end(z, n=7):                                                     # inner control points are moved in the plane
+            pairs = ((a, b) if z else (b, a) for a in range(n + 1) for b in range(n + 1))
+            moved = lambda a, b: Fraction(a, n) + (Fraction((3 * a + 5 * b) % 7 - 3, 20 * n) if 0 < min(a, b) and max(a, b) < n else 0)
+            return square(n, [(moved(a, b), moved(b, a), z) for a, b in pairs])
+        corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        walls = [square(1, [(*a, 0), (*a, 1), (*b, 0), (*b, 1)]) for a, b in zip(corners, corners[1:] + corners[:1])]
+        model = self.file("restless.vjson", json.dumps({"format": "veritope-spline-1", "groups": [], "entities": [end(0), end(1), *walls]}))
+        points = self.file("p.txt", "1/3 2/5 1\n-1/10 2/5 1\n1/3 2/5 1.%s1\n" % ("0" * 800))
+        words = lambda text: [line.split()[3] for line in text.splitlines()]
+        self.assertEqual(words(self.answers(points, model=model)), ["on", "out", "out"])
+        output, certificate = self.folder / "a.txt", self.folder / "c.cert"
+        done = run("classify", model, points, "-o", output, "--certificate", certificate)
+        self.assertEqual((done.returncode, words(output.read_text()), certificate.exists()), (3, ["on", "out", "out"], False))
+        self.assertIn("parameters are not known", " ".join(done.stderr.split()))
+        self.assertEqual(run("boolean", "A", f"A={model}", "-o", self.folder / "e.json").returncode, 0)
+        report = json.loads(self.answers(points, "-o", output, "--certificate", certificate, "--json", "-", model=self.folder / "e.json"))
+        self.assertEqual((report["certificate"]["uncovered"], report["certificate"]["checked"]), (1, True))
+
     def test_the_normal_chain_has_the_same_f_for_every_origin(self):
         pipe = ROOT / "examples" / "quarter_pipe.itd"
         points = self.file("many.txt", "".join(f"{x}/5 {y}/5 {z}/5\n" for x in range(-2, 12, 3) for y in range(-2, 12, 3) for z in range(-2, 12, 3)))

@@ -145,10 +145,14 @@ TEST(ExpressionClassifier, SeesSliversBetweenWalls) {
 class NotFlat : public Operand {
  public:
   explicit NotFlat(std::shared_ptr<const Operand> solid) : solid_(std::move(solid)) {}
+  OperandPlace place(const Vec3d& p) const override { return solid_->place(p); }
+  OperandPlace place(const ExactPoint& p) const override { return solid_->place(p); }
   Value3 value(const Vec3d& p) const override { return solid_->value(p); }
   Value3 value(const ExactPoint& p) const override { return solid_->value(p); }
   Value3 value(const Box3d& b) const override { return solid_->value(b); }
-  std::optional<TangentCone> tangent_cone(const ExactPoint&) const override { return std::nullopt; }
+  std::optional<TangentCone> tangent_cone(const ExactPoint&, const OperandPlace&) const override {
+    return std::nullopt;
+  }
   ExactBox<3> box() const override { return solid_->box(); }
 
  private:

@@ -107,45 +107,6 @@ TEST(PatchClassifier, NamesRationalParametersThatAreThere) {
   }
 }
 
-// A patch of a graph z = x y over (g(u), g(v)), g(t) = (t + 3 t^2 - 2 t^3) / 2: most of its points have irrational
-// parameters. Its walls are planes.
-Patches bent_graph() {
-  const std::vector<Rational> g{0, ratio(1, 6), ratio(5, 6), 1};
-  Patch::Tensor top({3, 3}, 3, false);
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) {
-      top.component(0)[4 * i + j] = g[i];
-      top.component(1)[4 * i + j] = g[j];
-      top.component(2)[4 * i + j] = Rational(1) + g[i] * g[j];
-    }
-  const auto wall = [&](auto x, auto y) {
-    Patch::Tensor map({3, 1}, 3, false);
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 2; ++j) {
-        map.component(0)[2 * i + j] = x(g[i]);
-        map.component(1)[2 * i + j] = y(g[i]);
-        map.component(2)[2 * i + j] = j == 0 ? Rational(0) : Rational(1) + x(g[i]) * y(g[i]);
-      }
-    return make_patch(std::move(map)).value();
-  };
-  const auto back = [](const Rational& t) { return Rational(1) - t; };
-  const auto same = [](const Rational& t) { return t; };
-  const auto zero = [](const Rational&) { return Rational(0); };
-  const auto one = [](const Rational&) { return Rational(1); };
-  Patch::Tensor bottom({3, 3}, 3, false);
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) {
-      bottom.component(0)[4 * i + j] = g[j];
-      bottom.component(1)[4 * i + j] = g[i];
-    }
-  return {make_patch(std::move(top)).value(),
-          make_patch(std::move(bottom)).value(),
-          wall(same, zero),
-          wall(one, same),
-          wall(back, one),
-          wall(zero, back)};
-}
-
 // PROVES POINT-4
 TEST(PatchClassifier, ProvesIrrationalParameters) {
   const Model model(bent_graph());

@@ -34,6 +34,7 @@ struct Knowledge {
   RayDirection ray;    // if the value is 0 or 1
   std::uint32_t facet = 0;
   std::optional<CertifiedPlace> place;
+  OperandPlace operand_place;
 };
 
 struct CertifiedPoint {
@@ -68,14 +69,16 @@ class CertifiedSolid {
   Knowledge at(const Point& p, const Vec3d& rounded) const {
     Knowledge out;
     if (is_box()) {
-      out.value = solid_.operand->value(p);
+      out.operand_place = solid_.operand->place(p);
+      out.value = out.operand_place.value;
       out.is_on = out.value == Value3::kMixed;
       return out;
     }
     std::optional<OnPatch> where;
-    const PointAnswer answer = parts_.mesh != nullptr
-                                   ? parts_.mesh_classifier->classify(p)
-                                   : parts_.patch_classifier->classify(p, &where);
+    const PointAnswer answer =
+        parts_.mesh != nullptr
+            ? parts_.mesh_classifier->classify(p)
+            : parts_.patch_classifier->classify(p, &where, PatchClassifier::Search::kLong);
     if (answer.is_decided && !answer.is_on()) {
       out.value = to_value(answer.winding != 0);
       if (mesh_directions_) out.ray = mesh_directions_->from(rounded);
@@ -85,6 +88,7 @@ class CertifiedSolid {
       out.facet = answer.facet;
     } else if (where) {
       out.place = place_on_patch(*parts_.patches, *where);
+      out.operand_place = {Value3::kMixed, false, std::move(where)};
       out.is_on = out.place.has_value();
     }
     return out;
@@ -94,7 +98,7 @@ class CertifiedSolid {
   // flat, or not known as exact numbers.
   std::optional<std::uint64_t> num_wedges(const Knowledge& known, const ExactPoint& p) const {
     if (known.place && !known.place->is_located) return std::nullopt;
-    const std::optional<TangentCone> cone = solid_.operand->tangent_cone(p);
+    const std::optional<TangentCone> cone = solid_.operand->tangent_cone(p, known.operand_place);
     if (!cone || !cone->is_flat) return std::nullopt;
     const std::uint64_t corners = parts_.mesh != nullptr ? 3 : 4;  // of a patch, at most
     std::uint64_t out = 0;

@@ -52,8 +52,8 @@ class PatchPointsCertifier::Body {
       return Error{Code::kOverLimit,
                    {},
                    "for " + std::to_string(num_irrational_) +
-                       " points on the surface no common generator of both irrational parameters "
-                       "was found"};
+                       " points on the surface the parameters are not known as polynomials of one "
+                       "root of a polynomial"};
     if (!std::ranges::all_of(patches_.entities, breaks_fit_certificate))
       return Error{Code::kOverLimit, {}, "the knots are longer than certificates may have them"};
     if (kBytesOfPatch * body.num_faces > subject.bytes + body.codes.size())
@@ -69,7 +69,7 @@ class PatchPointsCertifier::Body {
   template <typename Point>
   void add_on(const Point& p) {
     std::optional<OnPatch> where;
-    classifier_.classify(p, &where);
+    classifier_.classify(p, &where, PatchClassifier::Search::kLong);
     VT_CHECK(where.has_value(), "a point on a patch has parameters");
     ++num_on_;
     if (const auto place = place_on_patch(*patches_.complex, *where))

@@ -103,8 +103,8 @@ class VModel {
   std::span<const VVolume> cells() const { return cells_; }
   const VVolume& cell(std::size_t c) const { return cells_[c]; }
 
-  /// The sign of the cell's determinant as it is given, at the middle of its first piece between knots where it is not
-  /// 0; 0 if there is none. It is a choice, not a proof that the determinant has one sign.
+  /// The sign of the cell's determinant as it is given, at the middle of the first piece between knots where that is
+  /// not 0; 0 if it vanishes at all middles. It is a choice, not a proof that the determinant has one sign.
   Sign hand(std::size_t c) const { return hands_[c]; }
   bool is_reversed(std::size_t c) const { return is_reversed_[c]; }
   /// The cells whose hand is negative, ascending: those that are reversed, if the model was made with kAuto.

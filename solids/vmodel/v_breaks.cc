@@ -13,8 +13,8 @@
 
 namespace veritope {
 
-// Pieces are counted before anything is as large as their number: a few cells with many knots each can ask for more than
-// any memory holds.
+// Pieces are counted before anything is as large as their number: a few cells with many knots each can ask for more
+// than any memory holds.
 std::optional<Error> VModelMaker::find_breaks() {
   internal::TiedAxes axes(3 * m_.num_cells());
   for (VFaceNumber f = 0; f < m_.num_faces(); ++f) tie_axes(axes, f);
@@ -65,7 +65,7 @@ std::vector<Rational> VModelMaker::inner_breaks(std::uint32_t axis, bool is_reve
   return out;
 }
 
-// Of each class of axes, in the place of its root: the inner breaks on [0,1] of all its axes.
+// The inner breaks on [0,1] of all axes of a class, in the place of its root.
 std::vector<std::vector<Rational>> VModelMaker::breaks_of_classes(internal::TiedAxes& axes) const {
   const auto count = static_cast<std::uint32_t>(3 * m_.num_cells());
   std::vector<std::vector<Rational>> all(count);

@@ -281,6 +281,47 @@ TEST(JacobianSign, AWedgeVanishesOnItsCollapsedFace) {
   EXPECT_EQ(d.proofs[0].zeros, 1u << 25);
 }
 
+// Cells with collapsed faces, or with zeros on edges, in any description: the zeros and trees hold.
+TEST(JacobianSign, ZerosHoldInAnyDescription) {
+  const std::uint64_t seed = 17;
+  Random random(seed);
+  const VVolume pyramid = v_cells::polynomial({1, 1, 1}, [](std::size_t i, std::size_t j,
+                                                            std::size_t k) {
+    return k == 1 ? Point{q(1, 2), q(1, 2), q(1, 1)} : Point{Rational(i), Rational(j), Rational(0)};
+  });
+  const VVolume wedge =
+      v_cells::polynomial({1, 1, 1}, [](std::size_t i, std::size_t j, std::size_t k) {
+        return k == 1 ? Point{Rational(i), q(1, 2), q(1, 1)}
+                      : Point{Rational(i), Rational(j), Rational(0)};
+      });
+  // Two opposite edges of the wedge's line are points, too.
+  const VVolume tetrahedron = v_cells::mapped(wedge, [](Point p) {
+    return p[2] == Rational(0) && p[1] == Rational(0) ? Point{q(1, 2), Rational(0), Rational(0)}
+                                                      : p;
+  });
+  const std::array<VVolume, 4> all{pyramid, wedge, tetrahedron, squircle()};
+  std::size_t proofs = 0;
+  for (int round = 0; round < 120; ++round) {
+    const VVolume cell =
+        v_cells::redescribed(v_cells::turned(all[static_cast<std::size_t>(round) % 4],
+                                             static_cast<unsigned>(random.below(48))),
+                             random);
+    const VModel model = model_of({cell}, VOrientation::kAuto);
+    const VDeterminants d = decide_determinants(model);
+    ASSERT_TRUE(d.is_proved()) << "seed " << seed << ", round " << round << "\n"
+                               << v_cells::text_of(cell);
+    EXPECT_TRUE(model.forbidden().empty()) << v_cells::text_of(cell);
+    EXPECT_GE(d.num_zeros, 1u);
+    for (const PieceProof& proof : d.proofs) {
+      ++proofs;
+      expect_tree_holds(exact_net(model, 0, proof.piece), proof);
+      ASSERT_FALSE(HasFailure()) << "seed " << seed << ", round " << round << "\n"
+                                 << v_cells::text_of(cell);
+    }
+  }
+  EXPECT_GE(proofs, 120u);
+}
+
 // Three inner control points pulled up and out: the border is a cube, the inside is folded.
 TEST(JacobianSign, AFoldInsideOfACubeIsShown) {
   const VVolume cell =

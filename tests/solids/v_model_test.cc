@@ -6,6 +6,7 @@
 #include <set>
 
 #include "solids/patches/patch_complex.h"
+#include "solids/vmodel/v_face_internal.h"
 #include "solids/vmodel/v_faces.h"
 #include "splines/de_boor.h"
 #include "tests/support/v_cells.h"
@@ -48,6 +49,9 @@ TEST(VModel, ThreeCubesInAnLHaveTheNumbersOfFigure3) {
   EXPECT_EQ(model.face(0, 1).mate, 6u);
   EXPECT_EQ(model.face(0, 1).symmetry, 0u);
   EXPECT_EQ(model.face(0, 3).mate, 14u);
+  EXPECT_EQ(model.face_code(0), 0u);
+  EXPECT_EQ(model.face_code(1), 3u + 8 * 4);
+  EXPECT_EQ(model.face_code(6), 2u);
   EXPECT_EQ(border_of(model).faces.size(), 14u);
 }
 
@@ -205,6 +209,75 @@ TEST(VModel, AnInnerCollapseIsForbidden) {
   EXPECT_FALSE(model.forbidden().empty());
   for (const VForbiddenCollapse& f : model.forbidden())
     EXPECT_EQ(f.kind, VForbiddenCollapse::Kind::kInside);
+}
+
+// Whether some edge of some Bezier piece is collapsed against condition V1, or a face of a piece in a face of the cell
+// that is not, piece by piece in rationals.
+bool has_forbidden_piece(const VModel& model) {
+  const VVolume& cell = model.cell(0);
+  const auto cut = bezier_pieces(cell);
+  const Grid<3> pieces = cut.grid();
+  for (std::size_t n = 0; n < cut.pieces.size(); ++n) {
+    const VVolume piece = to_bspline(cut.pieces[n]);
+    const auto at = pieces.index_of(n);
+    for (std::size_t k = 0; k < 6; ++k)
+      if (at[k / 2] == (k % 2 == 0 ? 0 : pieces.size[k / 2] - 1) &&
+          !model.face(0, k).is_collapsed() &&
+          internal::collapse_of(internal::FaceView(piece, k)) != VCollapse::kNone)
+        return true;
+    for (std::size_t edge = 0; edge < 12; ++edge) {
+      if (!internal::is_edge_collapsed(piece, edge)) continue;
+      const std::size_t axis = edge / 4;
+      const auto others = v_face_axes(axis);
+      const std::array<std::size_t, 2> ends{edge & 1, edge >> 1 & 1};
+      bool is_allowed = false;
+      std::size_t num_walls = 0;
+      for (std::size_t k = 0; k < 2; ++k) {
+        if (at[others[k]] != (ends[k] == 0 ? 0 : pieces.size[others[k]] - 1)) continue;
+        ++num_walls;
+        const VCollapse whole = model.face(0, 2 * others[k] + ends[k]).collapse;
+        const auto along =
+            v_face_axes(others[k])[0] == axis ? VCollapse::kAlongFirst : VCollapse::kAlongSecond;
+        is_allowed = is_allowed || whole == VCollapse::kToPoint || whole == along;
+      }
+      is_allowed = is_allowed || (num_walls == 2 && model.is_edge_collapsed(0, edge));
+      if (!is_allowed) return true;
+    }
+  }
+  return false;
+}
+
+TEST(VModel, ForbiddenCollapsesAreThoseOfThePieces) {
+  const std::uint64_t seed = 99;
+  Random random(seed);
+  std::size_t forbidden = 0, allowed = 0;
+  for (int round = 0; round < 3000; ++round) {
+    std::array<KnotAxis<Rational>, 3> axes;
+    std::size_t count = 1;
+    for (auto& axis : axes) {
+      axis.degree = static_cast<int>(1 + random.below(2));
+      const auto p = static_cast<std::size_t>(axis.degree);
+      axis.knots.assign(p + 1, Rational(0));
+      if (random.below(2) == 0) axis.knots.insert(axis.knots.end(), 1 + random.below(p), q(1, 3));
+      axis.knots.insert(axis.knots.end(), p + 1, Rational(1));
+      count *= axis.num_control();
+    }
+    const bool is_rational = random.below(3) == 0;
+    const std::uint64_t step = 1 + random.below(count);  // neighbours are often equal
+    std::vector<Rational> values(count * (is_rational ? 4 : 3));
+    for (std::size_t n = 0; n < values.size(); ++n)
+      values[n] = n >= 3 * count  ? Rational(1)
+                  : n % step == 0 ? Rational(random.below(2))
+                                  : values[n - 1];
+    const VVolume cell(axes, is_rational ? 4 : 3, is_rational, values);
+    const VModel model = model_of({cell});
+    const bool truth = has_forbidden_piece(model);
+    ASSERT_EQ(!model.forbidden().empty(), truth) << "seed " << seed << ", round " << round << "\n"
+                                                 << v_cells::text_of(cell);
+    ++(truth ? forbidden : allowed);
+  }
+  EXPECT_GT(forbidden, 300u);
+  EXPECT_GT(allowed, 300u);
 }
 
 TEST(VModel, NeighboursInOtherSpacesAreGluedAndCutAlike) {

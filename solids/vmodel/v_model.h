@@ -49,7 +49,7 @@ struct VFaceRole {
   bool is_border() const { return !is_glued() && !is_collapsed(); }
 };
 
-/// A part of a cell that is collapsed although no whole face or edge of the cell that holds it is: no certificate holds.
+/// A part of a cell that is collapsed although no face or edge of the cell that holds it is: no certificate holds.
 /// Condition V1 fails, or, for a part of a face whose collapsed sides lie in other collapsed faces, V2 or P1.
 struct VForbiddenCollapse {
   enum class Kind {

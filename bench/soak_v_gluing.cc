@@ -2,8 +2,8 @@
 // bench/soak_v_gluing.cc: --pairs N --seed S. Pairs of cells with a common face, N in all, whose truth is known by
 // construction. Equal: the face of the second cell is that of the first in another description (symmetry, degrees,
 // knots, domain, constant factor). Not equal: a control point one ulp off, the orientation reversed (then they are
-// copies), a parameter replaced by a quadratic one, or the homogeneous face times a polynomial. One JSON line a kind: wrong
-// answers; the cells of a wrong one go to standard error.
+// copies), a parameter replaced by a quadratic one, or the homogeneous face times a polynomial. One JSON line a kind:
+// wrong answers; the cells of a wrong one go to standard error.
 #include <array>
 #include <cmath>
 #include <cstdio>

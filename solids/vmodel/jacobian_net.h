@@ -18,8 +18,8 @@ struct ExactJacobian {
   Grid<3> grid;
   std::vector<Integer> values;
 };
-/// The same in binary64; every exact one, up to one positive factor, is within `error`, which is infinite or NaN where
-/// nothing is known.
+/// These coefficients in binary64: every exact one, up to one positive factor, is within `error`, which is infinite or
+/// NaN where nothing is known.
 struct RoundedJacobian {
   Grid<3> grid;
   std::vector<double> values;
@@ -38,7 +38,7 @@ RoundedJacobian rounded_jacobian(const RoundedPiece& piece);
 namespace internal {
 /// The most roundings that a term of a coefficient goes through: docs/bounds/jacobian_net.md.
 int jacobian_roundings(const Grid<3>& grid, bool is_rational);
-/// The same in doubles without any bound, for the benchmark.
+/// Computes N in doubles without any bound, for the benchmark.
 std::vector<double> plain_jacobian(const BezierVolume<double>& piece);
 }  // namespace internal
 

@@ -31,7 +31,7 @@ class CellDecider {
         breaks_{model.breaks(cell, 0), model.breaks(cell, 1), model.breaks(cell, 2)},
         cutter_(model.cell(cell), breaks_),
         grid_(cutter_.grid()),
-        // A left-handed cell that is not reversed is expected to have one sign, too: then it is left-handed, not folded.
+        // A left-handed cell that is not reversed may be folded, too.
         sign_(model.is_reversed(cell) || model.hand(cell) < 0 ? -1 : 1) {}
 
   void decide(std::size_t number, VDeterminants& out) const {
@@ -163,9 +163,33 @@ std::vector<JacobianFinding> best_of_each_cell(std::vector<JacobianFinding> all)
   return out;
 }
 
+// Moves a place with a sign off the piece's border: by continuity the sign is the same near enough.
+void move_inside(const VModel& model, std::size_t cell, JacobianPlace& place) {
+  std::array<Rational, 3> inward;  // to the middle
+  bool is_inside = true;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto breaks = model.breaks(cell, a);
+    const Rational &low = breaks[place.piece[a]], &high = breaks[place.piece[a] + 1];
+    if (low < place.at[a] && place.at[a] < high) continue;
+    inward[a] = (low + high) / Rational(2) - place.at[a];
+    is_inside = false;
+  }
+  if (is_inside) return;
+  for (Rational step(1);; step /= Rational(2)) {
+    std::array<Rational, 3> at = place.at;
+    for (std::size_t a = 0; a < 3; ++a) at[a] += step * inward[a];
+    if (jacobian_sign(model.cell(cell), at) != place.sign) continue;
+    place.at = std::move(at);
+    return;
+  }
+}
+
 // Adds the second place of a folded cell; without one, the cell is called left-handed.
 void complete(const VModel& model, JacobianFinding& finding) {
   if (finding.kind != JacobianFinding::Kind::kFolded) return;
+  move_inside(model, finding.cell, finding.places[0]);
+  for (std::size_t a = 0; a < 3; ++a)
+    finding.box[a] = {finding.places[0].at[a], finding.places[0].at[a]};
   if (model.hand(finding.cell) == 0) {
     finding.kind = JacobianFinding::Kind::kLeftHanded;
     return;

@@ -17,7 +17,8 @@ struct JacobianOptions {
   std::size_t max_nodes = 4096;  ///< of the tree of a piece
 };
 
-/// What a piece needs in a certificate: its zeros, and its tree. Pieces without zeros whose tree is a leaf are left out.
+/// What a piece needs in a certificate: its zeros, and its tree. Pieces without zeros whose tree is one leaf are left
+/// out.
 struct PieceProof {
   std::uint64_t piece = 0;         ///< its number
   std::uint32_t zeros = 0;         ///< bit 9 s0 + 3 s1 + s2 for each zero
@@ -25,7 +26,7 @@ struct PieceProof {
 };
 
 /// A point of a cell's domain and the exact sign of its determinant there, as it is given, without its reversal.
-/// Derivatives are taken in the piece.
+/// Derivatives are taken in the piece. Where the sign is not 0, the point lies inside of the piece.
 struct JacobianPlace {
   std::array<std::size_t, 3> piece{};  ///< between breaks, along each axis
   std::array<Rational, 3> at;          ///< in the cell's parameters
@@ -37,7 +38,7 @@ struct JacobianFinding {
   enum class Kind {
     kFolded,      ///< two places of opposite signs
     kFlat,        ///< the determinant vanishes on the whole box, which is a piece
-    kLeftHanded,  ///< it is negative where the model expects it to be positive, and nothing shows that the cell is folded
+    kLeftHanded,  ///< it is negative where the model expects a positive one, and nothing shows a fold
     kZero,        ///< it vanishes at a place, which no zero holds
     kZeroFace,  ///< it vanishes on a face of a piece that is neither border nor collapsed: the box
     kUndecided  ///< the tree got too large in this box

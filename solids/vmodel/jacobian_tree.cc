@@ -108,8 +108,10 @@ std::vector<double> approx_numbers(const std::vector<Integer>& c) {
   return out;
 }
 
-// The axis along which lines with coefficients that are not positive vary most; any choice is right.
-std::size_t axis_to_halve(const std::vector<double>& c, double sign, const Grid<3>& grid) {
+// The axis along which lines with coefficients that are not proved positive vary most; any choice is right.
+template <typename S>
+std::size_t axis_to_halve(const TreeNode<S>& node, double sign, const Grid<3>& grid) {
+  const auto& c = approx_numbers(node.c);
   std::array<double, 3> total{};
   for (std::size_t a = 0; a < 3; ++a) {
     const std::size_t stride = grid.stride(a);
@@ -120,10 +122,15 @@ std::size_t axis_to_halve(const std::vector<double>& c, double sign, const Grid<
         variation += std::abs(x - sign * c[first + (i - 1) * stride]);
         least = std::min(least, x);
       }
-      if (least <= 0) total[a] += variation;
+      if (!(least > node.error)) total[a] += variation;
     });
   }
-  return static_cast<std::size_t>(std::max_element(total.begin(), total.end()) - total.begin());
+  std::size_t best = 0;
+  for (std::size_t a = 1; a < 3; ++a)
+    if (total[a] > total[best] ||
+        (total[a] == total[best] && node.box.level[a] < node.box.level[best]))
+      best = a;
+  return best;
 }
 
 // ---- what a node shows
@@ -247,7 +254,7 @@ TreeResult search(const Grid<3>& grid, TreeNode<S> root, double growth, int sign
       out.tree.push_back(0);
       continue;
     }
-    const std::size_t axis = axis_to_halve(approx_numbers(node.c), sign, grid);
+    const std::size_t axis = axis_to_halve(node, sign, grid);
     out.tree.push_back(static_cast<std::uint8_t>(axis + 1));
     node.error += growth * static_cast<double>(grid.size[axis]);
     auto both = halves(std::move(node), grid, axis);
@@ -263,7 +270,7 @@ TreeResult search_tree(const RoundedJacobian& net, int sign, std::size_t max_nod
   const ScopedDefaultFp nearest;
   double greatest = 0;
   for (const double x : net.values) greatest = std::max(greatest, std::abs(x));
-  // A halving adds `degree` rounded sums to each coefficient, all of them at most `greatest` (docs/bounds/jacobian_net.md).
+  // A halving adds `degree` rounded sums to each coefficient, all at most `greatest`: docs/bounds/jacobian_net.md.
   return search(net.grid, TreeNode<double>{{}, net.values, net.error},
                 greatest * 0x1p-52 + 0x1p-1000, sign, RoundedRule(net.grid, sign), max_nodes);
 }

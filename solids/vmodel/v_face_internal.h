@@ -65,7 +65,7 @@ BSplineSurface<Rational> surface_of(const FaceView& face, bool is_rational);
 /// Whether the edge 4 axis + e + 2 f of the cell is collapsed.
 bool is_edge_collapsed(const VVolume& cell, std::size_t edge);
 
-/// Finds what condition V1 forbids on a cell of several pieces.
+/// Finds the collapses on a cell of several pieces that no certificate allows.
 void find_forbidden(const VModel& model, std::size_t cell, std::vector<VForbiddenCollapse>& out);
 
 }  // namespace veritope::internal

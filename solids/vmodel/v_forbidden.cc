@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// What condition V1 forbids: edges of pieces, and pieces of faces, that are collapsed without their cell's face or edge.
+// What no certificate allows: edges and faces of pieces that are collapsed without their cell's edge or face.
 #include <algorithm>
 #include <utility>
 

@@ -49,11 +49,12 @@ struct VFaceRole {
   bool is_border() const { return !is_glued() && !is_collapsed(); }
 };
 
-/// A part of a cell that is collapsed although no whole face or edge of the cell that holds it is: condition V1 fails.
+/// A part of a cell that is collapsed although no face or edge of the cell that holds it is: no certificate holds.
+/// Condition V1 fails, or, for a part of a face whose collapsed sides lie in other collapsed faces, V2 or P1.
 struct VForbiddenCollapse {
   enum class Kind {
     kPartOfFace,  ///< a face is collapsed on some of its knot spans only
-    kPartOfEdge,  ///< so is an edge
+    kPartOfEdge,  ///< an edge is collapsed on some of its knot spans only
     kInside       ///< a line inside of the cell or of a face
   };
   struct Split {
@@ -103,8 +104,8 @@ class VModel {
   std::span<const VVolume> cells() const { return cells_; }
   const VVolume& cell(std::size_t c) const { return cells_[c]; }
 
-  /// The sign of the cell's determinant as it is given, at the middle of its first piece between knots where it is not
-  /// 0; 0 if there is none. It is a choice, not a proof that the determinant has one sign.
+  /// The sign of the cell's determinant as it is given, at the middle of the first piece between knots where that is
+  /// not 0; 0 if it vanishes at all middles. It is a choice, not a proof that the determinant has one sign.
   Sign hand(std::size_t c) const { return hands_[c]; }
   bool is_reversed(std::size_t c) const { return is_reversed_[c]; }
   /// The cells whose hand is negative, ascending: those that are reversed, if the model was made with kAuto.
@@ -113,6 +114,12 @@ class VModel {
   std::size_t num_faces() const { return faces_.size(); }
   const VFaceRole& face(VFaceNumber f) const { return faces_[f]; }
   const VFaceRole& face(std::size_t c, std::size_t k) const { return faces_[6 * c + k]; }
+  /// The code of a certificate: docs/certificates/vmodel.md, section 4.
+  std::uint64_t face_code(VFaceNumber f) const {
+    const VFaceRole& role = faces_[f];
+    if (!role.is_glued()) return role.is_collapsed() ? 1 : 0;
+    return role.mate < f ? 2 : 3 + 8 * std::uint64_t{role.mate - f - 1} + role.symmetry;
+  }
   /// Edge 4 axis + e + 2 f of a cell.
   bool is_edge_collapsed(std::size_t c, std::size_t edge) const {
     return (collapsed_edges_[c] >> edge & 1u) != 0;
@@ -133,7 +140,7 @@ class VModel {
   const std::vector<std::array<VFaceNumber, 2>>& copies() const { return copies_; }
   /// Three or more equal faces; none of them is glued.
   const std::vector<std::vector<VFaceNumber>>& crowds() const { return crowds_; }
-  /// What condition V1 forbids; a certificate needs that there is nothing.
+  /// A certificate needs that there is nothing.
   const std::vector<VForbiddenCollapse>& forbidden() const { return forbidden_; }
 
  private:

@@ -249,6 +249,26 @@ TEST(JacobianSign, ASquircleVanishesOnItsFourEdges) {
   }
 }
 
+// The squircle's edges w lie inside of a model: zeros on inner edges are allowed.
+TEST(JacobianSign, ASquircleMayLieAmongOtherCells) {
+  std::vector<VVolume> cells{squircle()};
+  // One quadratic arc each, around it, ruled to the arc three times as large.
+  for (std::size_t side = 0; side < 4; ++side)
+    cells.push_back(
+        v_cells::polynomial({2, 1, 1}, [&](std::size_t i, std::size_t j, std::size_t k) {
+          const BezierVolume<Rational> map = bezier_of(squircle());
+          const std::size_t u = side < 2 ? 2 * side : i, v = side < 2 ? i : 2 * (side - 2);
+          const std::size_t n = map.grid().at({u, v, 0});
+          const Rational scale(j == 0 ? 1 : 3);
+          return Point{map.component(0)[n] * scale, map.component(1)[n] * scale, Rational(k)};
+        }));
+  const VModel model = model_of(cells, VOrientation::kAuto);
+  EXPECT_EQ(model.counts().internal, 8u);
+  const VDeterminants d = decide_determinants(model);
+  ASSERT_TRUE(d.is_proved());
+  EXPECT_EQ(d.num_zeros, 4u);
+}
+
 TEST(JacobianSign, AWedgeVanishesOnItsCollapsedFace) {
   const VVolume wedge =
       v_cells::polynomial({1, 1, 1}, [](std::size_t i, std::size_t j, std::size_t k) {
@@ -259,6 +279,47 @@ TEST(JacobianSign, AWedgeVanishesOnItsCollapsedFace) {
   ASSERT_TRUE(d.is_proved());
   ASSERT_EQ(d.proofs.size(), 1u);
   EXPECT_EQ(d.proofs[0].zeros, 1u << 25);
+}
+
+// Cells with collapsed faces, or with zeros on edges, in any description: the zeros and trees hold.
+TEST(JacobianSign, ZerosHoldInAnyDescription) {
+  const std::uint64_t seed = 17;
+  Random random(seed);
+  const VVolume pyramid = v_cells::polynomial({1, 1, 1}, [](std::size_t i, std::size_t j,
+                                                            std::size_t k) {
+    return k == 1 ? Point{q(1, 2), q(1, 2), q(1, 1)} : Point{Rational(i), Rational(j), Rational(0)};
+  });
+  const VVolume wedge =
+      v_cells::polynomial({1, 1, 1}, [](std::size_t i, std::size_t j, std::size_t k) {
+        return k == 1 ? Point{Rational(i), q(1, 2), q(1, 1)}
+                      : Point{Rational(i), Rational(j), Rational(0)};
+      });
+  // Two opposite edges of the wedge's line are points, too.
+  const VVolume tetrahedron = v_cells::mapped(wedge, [](Point p) {
+    return p[2] == Rational(0) && p[1] == Rational(0) ? Point{q(1, 2), Rational(0), Rational(0)}
+                                                      : p;
+  });
+  const std::array<VVolume, 4> all{pyramid, wedge, tetrahedron, squircle()};
+  std::size_t proofs = 0;
+  for (int round = 0; round < 120; ++round) {
+    const VVolume cell =
+        v_cells::redescribed(v_cells::turned(all[static_cast<std::size_t>(round) % 4],
+                                             static_cast<unsigned>(random.below(48))),
+                             random);
+    const VModel model = model_of({cell}, VOrientation::kAuto);
+    const VDeterminants d = decide_determinants(model);
+    ASSERT_TRUE(d.is_proved()) << "seed " << seed << ", round " << round << "\n"
+                               << v_cells::text_of(cell);
+    EXPECT_TRUE(model.forbidden().empty()) << v_cells::text_of(cell);
+    EXPECT_GE(d.num_zeros, 1u);
+    for (const PieceProof& proof : d.proofs) {
+      ++proofs;
+      expect_tree_holds(exact_net(model, 0, proof.piece), proof);
+      ASSERT_FALSE(HasFailure()) << "seed " << seed << ", round " << round << "\n"
+                                 << v_cells::text_of(cell);
+    }
+  }
+  EXPECT_GE(proofs, 120u);
 }
 
 // Three inner control points pulled up and out: the border is a cube, the inside is folded.
@@ -282,6 +343,42 @@ TEST(JacobianSign, AFoldInsideOfACubeIsShown) {
     EXPECT_EQ(jacobian_sign(model.cell(f.cell), f.places[1].at), Sign::kNegative);
     EXPECT_EQ(f.places[1].sign, Sign::kNegative);
   }
+}
+
+// Only the middle control point moves: N = 1 - t at (1, 1/2, 1/2), and more everywhere else.
+VVolume pushed_cube(const Rational& t) {
+  return v_cells::polynomial({2, 2, 2}, [&](std::size_t i, std::size_t j, std::size_t k) {
+    Point p{Rational(i) / Rational(2), Rational(j) / Rational(2), Rational(k) / Rational(2)};
+    // x = u + 8 m u (1 - u) v (1 - v) w (1 - w), x_u = 1 - m / 2 at (1, 1/2, 1/2).
+    if (i == 1 && j == 1 && k == 1) p[0] += Rational(2) * t;
+    return p;
+  });
+}
+
+TEST(JacobianSign, DeterminantsJustAboveAndBelowZeroAreDecided) {
+  for (const int bits : {20, 40, 52, 60, 100}) {
+    SCOPED_TRACE(bits);
+    const Rational tiny = Rational::power_of_two(-bits);
+    EXPECT_TRUE(decide_determinants(model_of({pushed_cube(Rational(1) - tiny)})).is_proved());
+    for (unsigned s = 0; s < 48; s += 5) {
+      const VModel model =
+          model_of({v_cells::turned(pushed_cube(Rational(1) + tiny), s)}, VOrientation::kAuto);
+      const VDeterminants d = decide_determinants(model);
+      ASSERT_EQ(d.findings.size(), 1u);
+      EXPECT_EQ(d.findings[0].kind, JacobianFinding::Kind::kFolded);
+      ASSERT_EQ(d.findings[0].places.size(), 2u);
+      for (const JacobianPlace& place : d.findings[0].places) {
+        EXPECT_EQ(jacobian_sign(model.cell(0), place.at), place.sign);
+        for (std::size_t a = 0; a < 3; ++a)
+          EXPECT_TRUE(Rational(0) < place.at[a] && place.at[a] < Rational(1));
+      }
+    }
+  }
+  const VDeterminants zero = decide_determinants(model_of({pushed_cube(Rational(1))}));
+  ASSERT_EQ(zero.findings.size(), 1u);
+  EXPECT_EQ(zero.findings[0].kind, JacobianFinding::Kind::kZero);
+  EXPECT_EQ(zero.findings[0].box[0][0], Rational(1));
+  EXPECT_EQ(zero.findings[0].box[1][0], q(1, 2));
 }
 
 TEST(JacobianSign, ALeftHandedCellIsNotProvedUnlessReversed) {

@@ -6,7 +6,9 @@
 #include <set>
 
 #include "solids/patches/patch_complex.h"
+#include "solids/vmodel/v_face_internal.h"
 #include "solids/vmodel/v_faces.h"
+#include "splines/de_boor.h"
 #include "tests/support/v_cells.h"
 
 namespace veritope {
@@ -47,6 +49,9 @@ TEST(VModel, ThreeCubesInAnLHaveTheNumbersOfFigure3) {
   EXPECT_EQ(model.face(0, 1).mate, 6u);
   EXPECT_EQ(model.face(0, 1).symmetry, 0u);
   EXPECT_EQ(model.face(0, 3).mate, 14u);
+  EXPECT_EQ(model.face_code(0), 0u);
+  EXPECT_EQ(model.face_code(1), 3u + 8 * 4);
+  EXPECT_EQ(model.face_code(6), 2u);
   EXPECT_EQ(border_of(model).faces.size(), 14u);
 }
 
@@ -206,6 +211,75 @@ TEST(VModel, AnInnerCollapseIsForbidden) {
     EXPECT_EQ(f.kind, VForbiddenCollapse::Kind::kInside);
 }
 
+// Whether some edge of some Bezier piece is collapsed against condition V1, or a face of a piece in a face of the cell
+// that is not, piece by piece in rationals.
+bool has_forbidden_piece(const VModel& model) {
+  const VVolume& cell = model.cell(0);
+  const auto cut = bezier_pieces(cell);
+  const Grid<3> pieces = cut.grid();
+  for (std::size_t n = 0; n < cut.pieces.size(); ++n) {
+    const VVolume piece = to_bspline(cut.pieces[n]);
+    const auto at = pieces.index_of(n);
+    for (std::size_t k = 0; k < 6; ++k)
+      if (at[k / 2] == (k % 2 == 0 ? 0 : pieces.size[k / 2] - 1) &&
+          !model.face(0, k).is_collapsed() &&
+          internal::collapse_of(internal::FaceView(piece, k)) != VCollapse::kNone)
+        return true;
+    for (std::size_t edge = 0; edge < 12; ++edge) {
+      if (!internal::is_edge_collapsed(piece, edge)) continue;
+      const std::size_t axis = edge / 4;
+      const auto others = v_face_axes(axis);
+      const std::array<std::size_t, 2> ends{edge & 1, edge >> 1 & 1};
+      bool is_allowed = false;
+      std::size_t num_walls = 0;
+      for (std::size_t k = 0; k < 2; ++k) {
+        if (at[others[k]] != (ends[k] == 0 ? 0 : pieces.size[others[k]] - 1)) continue;
+        ++num_walls;
+        const VCollapse whole = model.face(0, 2 * others[k] + ends[k]).collapse;
+        const auto along =
+            v_face_axes(others[k])[0] == axis ? VCollapse::kAlongFirst : VCollapse::kAlongSecond;
+        is_allowed = is_allowed || whole == VCollapse::kToPoint || whole == along;
+      }
+      is_allowed = is_allowed || (num_walls == 2 && model.is_edge_collapsed(0, edge));
+      if (!is_allowed) return true;
+    }
+  }
+  return false;
+}
+
+TEST(VModel, ForbiddenCollapsesAreThoseOfThePieces) {
+  const std::uint64_t seed = 99;
+  Random random(seed);
+  std::size_t forbidden = 0, allowed = 0;
+  for (int round = 0; round < 3000; ++round) {
+    std::array<KnotAxis<Rational>, 3> axes;
+    std::size_t count = 1;
+    for (auto& axis : axes) {
+      axis.degree = static_cast<int>(1 + random.below(2));
+      const auto p = static_cast<std::size_t>(axis.degree);
+      axis.knots.assign(p + 1, Rational(0));
+      if (random.below(2) == 0) axis.knots.insert(axis.knots.end(), 1 + random.below(p), q(1, 3));
+      axis.knots.insert(axis.knots.end(), p + 1, Rational(1));
+      count *= axis.num_control();
+    }
+    const bool is_rational = random.below(3) == 0;
+    const std::uint64_t step = 1 + random.below(count);  // neighbours are often equal
+    std::vector<Rational> values(count * (is_rational ? 4 : 3));
+    for (std::size_t n = 0; n < values.size(); ++n)
+      values[n] = n >= 3 * count  ? Rational(1)
+                  : n % step == 0 ? Rational(random.below(2))
+                                  : values[n - 1];
+    const VVolume cell(axes, is_rational ? 4 : 3, is_rational, values);
+    const VModel model = model_of({cell});
+    const bool truth = has_forbidden_piece(model);
+    ASSERT_EQ(!model.forbidden().empty(), truth) << "seed " << seed << ", round " << round << "\n"
+                                                 << v_cells::text_of(cell);
+    ++(truth ? forbidden : allowed);
+  }
+  EXPECT_GT(forbidden, 300u);
+  EXPECT_GT(allowed, 300u);
+}
+
 TEST(VModel, NeighboursInOtherSpacesAreGluedAndCutAlike) {
   VVolume right = elevate(cube(1, 0, 0), 1, 1);
   right = insert_knot(right, 1, q(1, 3));
@@ -313,6 +387,48 @@ TEST(VModel, SymmetriesAreUndoneByTheirInverses) {
       }
 }
 
+// What condition V3 of docs/certificates/vmodel.md asks, at random points instead of as an identity.
+void expect_glued_faces_agree(const VModel& model, Random& random) {
+  const auto on_axis = [](const KnotAxis<Rational>& axis, const Rational& t) {
+    return axis.domain_begin() + t * (axis.domain_end() - axis.domain_begin());
+  };
+  const auto point_on = [&](VFaceNumber f, std::array<Rational, 2> at) {
+    const VVolume& cell = model.cell(f / 6);
+    const auto axes = v_face_axes(f % 6 / 2);
+    Point where;
+    where[f % 6 / 2] = on_axis(cell.axis(f % 6 / 2), Rational(f % 2));
+    for (std::size_t k = 0; k < 2; ++k) where[axes[k]] = on_axis(cell.axis(axes[k]), at[k]);
+    return point(cell, where).value();
+  };
+  const auto hand = [&](VFaceNumber f) {
+    const bool is_negative = ((f % 2 == 0) != (f % 6 / 2 == 1)) != model.is_reversed(f / 6);
+    return is_negative ? -1 : 1;
+  };
+  const auto unit_breaks = [&](VFaceNumber f, std::size_t k, bool is_reversed) {
+    const std::size_t axis = v_face_axes(f % 6 / 2)[k];
+    std::vector<Rational> out = model.breaks(f / 6, axis);
+    const Rational begin = out.front(), length = out.back() - out.front();
+    for (Rational& t : out)
+      t = is_reversed ? Rational(1) - (t - begin) / length : (t - begin) / length;
+    std::sort(out.begin(), out.end());
+    return out;
+  };
+  for (VFaceNumber f = 0; f < model.num_faces(); ++f) {
+    const VFaceRole& role = model.face(f);
+    if (!role.is_glued()) continue;
+    const unsigned s = role.symmetry;
+    EXPECT_EQ(hand(f) * hand(role.mate), is_v_symmetry_odd(s) ? 1 : -1);
+    const std::array<Rational, 2> at{q(random.between(0, 11), 11), q(random.between(0, 13), 13)};
+    std::array<Rational, 2> to = at;
+    if ((s & 1) != 0) std::swap(to[0], to[1]);
+    if ((s & 2) != 0) to[0] = Rational(1) - to[0];
+    if ((s & 4) != 0) to[1] = Rational(1) - to[1];
+    EXPECT_EQ(point_on(f, at), point_on(role.mate, to));
+    EXPECT_EQ(unit_breaks(f, s & 1, (s & 2) != 0), unit_breaks(role.mate, 0, false));
+    EXPECT_EQ(unit_breaks(f, 1 - (s & 1), (s & 4) != 0), unit_breaks(role.mate, 1, false));
+  }
+}
+
 TEST(VModel, RandomDescriptionsOfAGridHaveTheSameNumbers) {
   const std::uint64_t seed = 20240101;
   Random random(seed);
@@ -330,7 +446,12 @@ TEST(VModel, RandomDescriptionsOfAGridHaveTheSameNumbers) {
           v_cells::turned(cell, static_cast<unsigned>(random.below(48))), random));
       operands += v_cells::text_of(others.back());
     }
-    VCounts found = model_of(others, VOrientation::kAuto).counts();
+    const VModel model = model_of(others, VOrientation::kAuto);
+    expect_glued_faces_agree(model, random);
+    EXPECT_TRUE(make_patch_complex(patches_of(border_of(model)).value(), PatchOrientation::kKeep)
+                    .value()
+                    .is_closed_oriented_surface());
+    VCounts found = model.counts();
     found.reversed = truth.reversed, found.pieces = truth.pieces;
     ASSERT_EQ(found, truth) << "seed " << seed << ", round " << round << "\n" << operands;
   }
@@ -365,6 +486,20 @@ TEST(VModel, BadCellsAreNamed) {
   VVolume weights = v_cells::with_factor(cube(0, 0, 0), Rational(1));
   weights.component(3)[2] = Rational(0);
   expect_refused({weights}, Code::kBadArgument, 0, "the weight 0");
+}
+
+// Each cell of a row has 200 knots of its own, which cut all others, too.
+TEST(VModel, TooManyPiecesAreRefusedBeforeTheyAreMade) {
+  std::vector<VVolume> cells;
+  for (int n = 0; n < 300; ++n) {
+    std::vector<Rational> knots;
+    for (int i = 1; i <= 200; ++i) knots.push_back(q(300 * i + n, 300 * 202));
+    cells.push_back(refine(cube(n, 0, 0), 1, knots));
+  }
+  const auto made = make_v_model(std::move(cells), VOrientation::kKeep);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, Code::kOverLimit);
+  EXPECT_TRUE(made.error().place.entity.has_value());
 }
 
 TEST(VModel, AttributesAreStripped) {

@@ -69,7 +69,7 @@ VVolume mapped(VVolume cell, Map map) {
   return cell;
 }
 
-/// The same points in homogeneous coordinates, all times `factor`.
+/// Multiplies all homogeneous coordinates by `factor`; the points stay.
 inline VVolume with_factor(const VVolume& cell, const Rational& factor) {
   const std::size_t count = cell.grid().count();
   std::vector<Rational> values;

@@ -47,7 +47,7 @@ def constants():
 
 # No constants of filters: these pages list decisions, count roundings by running the code itself on counts, or bound nets whose
 # degrees are data.
-COUNTED = {"box_bounds", "composition", "decisions", "fast_spline", "piece_net", "ray_net"}
+COUNTED = {"box_bounds", "composition", "decisions", "fast_spline", "jacobian_net", "piece_net", "ray_net"}
 
 
 class Constants(unittest.TestCase):

@@ -68,11 +68,13 @@ struct SplitCell {
 /// at the same corner of the cell where it ends; no corner and no V-curve use occurs twice. What is to the left of the
 /// uses stays in the cell, and what is to their right is in the new one, with the boundary surfaces of `moved`, a
 /// half-V-surface of each. If right and left are connected, the cell is cut but not split.
+/// REQUIRES that the cycle bounds a disk in the cell. Integers do not show it, and it is not checked, but every cycle on
+/// a boundary surface of genus 0 does.
 Result<SplitCell> split_cell(VComplex& complex, std::span<const CurveUseId> cycle,
                              std::uint32_t trivariate, std::span<const HalfVSurfaceId> moved = {});
 /// Removes an internal V-surface. Its two V-cells, if they are two, must have the same trivariates; the one of the first
-/// half stays.
-/// @error also if a V-curve has the V-surface on two sides in a cell
+/// half stays. If it is in one V-cell, it must be a disk on one of its boundary surfaces: a cut is undone.
+/// @error also if the V-surface meets itself in a cell, on both sides of a V-curve or in one corner
 Status merge_cells(VComplex& complex, VSurfaceId surface);
 
 }  // namespace veritope

@@ -166,6 +166,35 @@ void remove_half(VComplexTables& t, HalfVSurfaceId h) {
   t.half_surfaces.remove(h);
 }
 
+// A V-surface can be removed if its closure is embedded in the boundaries of its cells: then what is on both sides is
+// glued along a surface. Nothing is wrong if the result is empty.
+std::string merge_cells_fault(const VComplexTables& t, VSurfaceId surface) {
+  const auto halves = t.surfaces[surface].halves;
+  if (t.half_surfaces[halves[0]].cell == t.half_surfaces[halves[1]].cell) {
+    // The inverse of a cut: a disk becomes a handle. Everything else would be no part of space.
+    if (t.half_surfaces[halves[0]].loops.size() != 1 ||
+        !connected_halves(t, {halves[0]}, {}).contains(halves[1]))
+      return "V-surface " + id_text(surface) +
+             " is in one V-cell, and no disk on one surface of its boundary";
+  }
+  std::set<CurveUseId> corners;
+  for (const HalfVSurfaceId h : halves) {
+    for (const CurveUseId u : internal::uses_of_half(t, h)) {
+      if (t.half_surfaces[t.uses[t.uses[u].across].half_surface].surface == surface)
+        return "V-curve " + id_text(t.uses[u].curve) + " has V-surface " + id_text(surface) +
+               " on two sides in a V-cell";
+      CurveUseId at = u;
+      do {
+        if (!corners.insert(at).second)
+          return "V-surface " + id_text(surface) + " meets itself at V-point " +
+                 id_text(t.start(u)) + " in a corner of a V-cell";
+        at = t.uses[t.uses[at].across].next;
+      } while (at != u);
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<VCellId> add_cell(VComplex& complex, const VComplexData& one_cell) {
@@ -256,15 +285,11 @@ Status merge_cells(VComplex& complex, VSurfaceId surface) {
   if (sorted(kept) != sorted(other))
     return bad_argument("V-cells " + id_text(kept) + " and " + id_text(other) +
                         " have other trivariates");
-  std::vector<VCurveId> curves;
+  const std::string fault = merge_cells_fault(t, surface);
+  if (!fault.empty()) return bad_argument(fault);
   const std::vector<CurveUseId> uses = internal::uses_of_half(t, halves[0]);
-  for (const CurveUseId x : uses) {
-    for (const CurveUseId u : {x, t.uses[x].mate})
-      if (t.half_surfaces[t.uses[t.uses[u].across].half_surface].surface == surface)
-        return bad_argument("V-curve " + id_text(t.uses[x].curve) + " has V-surface " +
-                            id_text(surface) + " on two sides in a V-cell");
-    curves.push_back(t.uses[x].curve);
-  }
+  std::vector<VCurveId> curves;
+  for (const CurveUseId x : uses) curves.push_back(t.uses[x].curve);
   const auto before = uses_by_curve(t, curves);
   for (const CurveUseId x : uses)
     internal::pair_across(t, t.uses[x].across, t.uses[t.uses[x].mate].across);

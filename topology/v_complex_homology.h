@@ -40,7 +40,8 @@ std::uint64_t rank_modulo(const IntegerMatrix& matrix, std::uint64_t prime);
 /// b0, b1, b2, b3 over the field with kBettiPrime elements: exact, by elimination.
 /// A V-complex is no CW complex where a V-surface has several loops or a V-cell several boundary surfaces. Loops and
 /// boundary surfaces of one element are then connected by bridges, curves through it that nothing else meets; what is
-/// left of the element is an open disk or ball, and has the same boundary.
+/// left of the element is an open disk or ball, and has the same boundary: a connected open set of space with spheres as
+/// boundary is a ball without closed balls.
 /// @error kBadArgument with place.entity = a cell that has a boundary surface of genus > 0: its boundary does not tell
 ///   which cycles bound in it. Cut it by split_cell (v_complex_edit.h) first.
 Result<std::array<std::uint64_t, 4>> betti_numbers(const VComplex& complex);

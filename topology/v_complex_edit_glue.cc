@@ -201,7 +201,8 @@ void part_fan(VComplexTables& t, const FormerFan& fan) {
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const auto ends = t.curves[fan.curve].ends;
     const VCurveId d = t.curves.add({ends, {parts[i]}});
-    for (const CurveUseId u : internal::fan_of(t, parts[i]).uses) t.uses[u].curve = d;
+    const VFan part = internal::fan_of(t, parts[i]);
+    for (const CurveUseId u : part.uses) t.uses[u].curve = d;
     for (const VPointId p : ends) internal::add_curve_at(t, p, d);
   }
 }

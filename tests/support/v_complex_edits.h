@@ -208,7 +208,8 @@ inline std::string fault_of(const VComplex& complex) {
   const BoundaryMaps maps = boundary_maps(complex);
   if (!product(maps.d2, maps.d3).is_zero()) return "d2 d3 is not zero";
   if (!product(maps.d1, maps.d2).is_zero()) return "d1 d2 is not zero";
-  for (const VShell& shell : boundary_brep(complex).shells)
+  const BoundaryBrep brep = boundary_brep(complex);
+  for (const VShell& shell : brep.shells)
     if (shell.euler() % 2 != 0 || shell.genus() < 0) return "a shell without a genus";
   for (const VCellId c : complex.tables().cells)
     for (const VCellBoundaryComponent& component : boundary_of_cell(complex, c))
@@ -217,7 +218,8 @@ inline std::string fault_of(const VComplex& complex) {
   // The cut surface of a small ball around a point: closed, or with boundary circles.
   std::int64_t sum = 0;
   for (const VPointId p : complex.tables().points) {
-    for (const VPointLinkComponent& component : link_of(complex, p).components) {
+    const VPointLink link = link_of(complex, p);
+    for (const VPointLinkComponent& component : link.components) {
       if (component.genus() < 0 ||
           (component.euler() + static_cast<std::int64_t>(component.boundary_circles)) % 2 != 0)
         return "a link without a genus";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_v_complex_edits.cc: --sequences N --steps K --seed S : random sequences of edits of V-complexes; after each
-// step the invariants, dd = 0, links, genera and the Euler characteristic, and in every tenth sequence the Betti numbers.
-// A sequence that breaks a law is shrunk and printed; one JSON line a figure.
+// bench/soak_v_complex_edits.cc: --sequences N --steps K --seed S : random sequences of edits of V-complexes; after
+// each step the invariants, dd = 0, links, genera and the Euler characteristic, and in every tenth sequence the Betti
+// numbers. A sequence that breaks a law is shrunk and printed; one JSON line a figure.
 #include <cstdint>
 #include <cstdio>
 #include <string>

@@ -18,9 +18,9 @@ using namespace veritope;
 
 void check_edits(const std::uint8_t* data, std::size_t size) {
   v_edits::Sequence sequence;
-  for (std::size_t i = 0; i + 5 <= size && sequence.size() < 80; i += 5)
+  for (std::size_t i = 0; i + 5 <= size && sequence.size() < 40; i += 5)
     sequence.push_back({data[i], data[i + 1], data[i + 2], data[i + 3], data[i + 4]});
-  const std::string fault = v_edits::run(sequence, true);
+  const std::string fault = v_edits::run(sequence);
   if (fault.empty()) return;
   std::fprintf(stderr, "%s of %s\n", fault.c_str(), v_edits::to_text(sequence).c_str());
   std::abort();

@@ -268,7 +268,7 @@ class HexahedralMaker {
   }
 
   CurveUseId& use_at(std::size_t c, unsigned f, unsigned e) {
-    // Of the two faces at an edge, the one across the lesser axis is first.
+    // The face across the lesser axis is the first one at an edge.
     const unsigned side = f / 2 == kOtherAxes[e / 4][0] ? 0 : 1;
     return use_of_[2 * edge_id(c, e) + side];
   }

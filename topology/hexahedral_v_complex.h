@@ -22,9 +22,9 @@ struct HexahedralFace {
     kAlongSecond,  ///< ... in its second parameter
   };
   Kind kind = Kind::kBoundary;
-  std::uint32_t cell = 0, face = 0;  ///< of kGlued: the other face
-  /// Of kGlued: the map from this face's parameters to those of the other one. Bits, in this order: 1 exchange the two,
-  /// 2 reverse the first, 4 reverse the second. The other face may say kBoundary, or kGlued with the inverse map.
+  std::uint32_t cell = 0, face = 0;  ///< for kGlued, the other face
+  /// For kGlued, the map from this face's parameters to those of the other one. Bits, in this order: 1 exchange the
+  /// two, 2 reverse the first, 4 reverse the second. The other face may say kBoundary, or kGlued with the inverse map.
   std::uint32_t symmetry = 0;
 };
 
@@ -48,9 +48,9 @@ struct HexahedralVComplex {
 
 /// V-points are the classes of corners that gluing and collapsed edges generate; V-curves those of the other edges that
 /// gluing and faces collapsed along an axis generate (their two other edges become one); the faces that are not
-/// collapsed are half-V-surfaces, in the order of cells and faces. V-points and V-curves are in the order of their least
-/// corners and edges. Cells are reversed where glued faces demand it; of connected cells, the first one is
-/// not reversed.
+/// collapsed are half-V-surfaces, in the order of cells and faces. V-points and V-curves are in the order of their
+/// least corners and edges. Cells are reversed where glued faces demand it; of connected cells, the first one is not
+/// reversed.
 /// @error kBadArgument, place.entity = a cell: a number that does not exist, a face glued twice, to itself or to a
 ///   collapsed one; an edge that is collapsed on one side only; a face with four collapsed edges that is not collapsed;
 ///   an edge between collapsed faces only; gluings that no choice of reversed cells makes orientable

@@ -40,8 +40,8 @@ enum class VInvariant {
   /// 7. A use has a mate iff its half-V-surface has one, and it lies in that. mate pairs the uses, on one V-curve, in
   ///    opposite directions, and maps loops to loops: the mate of the next use is before the mate of the use.
   kMates,
-  /// 8. A V-curve has fans; it lists one use against the curve of each, without a mate if the fan is open. These are all
-  ///    fans of all its uses.
+  /// 8. A V-curve has fans; it lists one use against the curve of each, without a mate if the fan is open. These are
+  ///    all fans of all its uses.
   kFans,
   /// 9. A V-point lists exactly the V-curves that begin or end there, each once, and at least one.
   kPoints,
@@ -77,9 +77,9 @@ struct VCommon {
 };
 
 /// A V-model without coordinates. Its tables always satisfy all VInvariants: it is made by make_v_complex
-/// (v_complex_data.h) or hexahedral_v_complex, and changed by the edits of v_complex_edit.h. An element can meet itself:
-/// a cell can be glued to itself, a V-curve can be used several times by one half-V-surface.
-/// Queries that return lists take O(k log k) for k elements that they pass; lists of ids ascend unless stated otherwise.
+/// (v_complex_data.h) or hexahedral_v_complex, and changed by the edits of v_complex_edit.h. An element can meet
+/// itself: a cell can be glued to itself, a V-curve can be used several times by one half-V-surface. Queries that
+/// return lists take O(k log k) for k elements that they pass; lists of ids ascend unless stated otherwise.
 class VComplex {
  public:
   VComplex() = default;
@@ -126,7 +126,7 @@ class VComplex {
   VComplexTables tables_;
 };
 
-/// The same complex with the ids 0, 1, ... in each table; the order of the ids stays.
+/// Numbers the elements of each table 0, 1, ... and keeps their order.
 VComplex compacted(const VComplex& complex);
 
 }  // namespace veritope

@@ -21,8 +21,8 @@ struct VShell {
 };
 
 /// The half-V-surfaces without a mate as a closed oriented 2-manifold; outside is on the side that they are seen from.
-/// At a V-curve with several fans, and at a V-point whose link has several components or boundary circles, sheets of it
-/// meet that are separate here: the V-complex is a manifold iff there is none.
+/// Sheets of it that meet at a V-curve with several fans, or at a V-point whose link has several components or boundary
+/// circles, are separate here.
 struct BoundaryBrep {
   std::vector<HalfVSurfaceId> faces;    ///< ascending
   std::vector<std::uint32_t> shell_of;  ///< of each of the faces

@@ -113,7 +113,7 @@ class VComplexMaker {
     return ok_status();
   }
 
-  // None if there is no such place.
+  // Returns no id if there is no such place.
   HalfVSurfaceId half_at(const HalfVSurfacePlace& place) const {
     if (place.cell >= halves_.size() || place.half_surface >= halves_[place.cell].size()) return {};
     return halves_[place.cell][place.half_surface];

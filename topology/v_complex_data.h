@@ -41,16 +41,18 @@ struct VComplexData {
   std::vector<std::array<std::uint32_t, 2>> curves;  ///< where each begins and where it ends
   std::vector<VCellData> cells;
   std::vector<std::array<HalfVSurfacePlace, 2>> glued;
-  /// Uses across each other. Only for a cell that uses a curve more than twice, for instance one that is glued to itself.
+  /// Uses across each other. Only for a cell that uses a curve more than twice, for instance one that is glued to
+  /// itself.
   std::vector<std::array<CurveUsePlace, 2>> across;
   /// Uses that are mates, one for each pair of loops. Only where the first use of a loop could have several mates.
   std::vector<std::array<CurveUsePlace, 2>> mates;
 };
 
-/// Elements get the numbers that they have in the lists: cells, curves and points; half-V-surfaces and uses in the order
-/// of the lists; V-surfaces in the order of their first halves.
+/// Elements get the numbers that they have in the lists: cells, curves and points; half-V-surfaces and uses in the
+/// order of the lists; V-surfaces in the order of their first halves.
 /// @error kBadArgument, with a sentence that names the place in the lists: a number that names nothing, a loop that is
-///   not closed, a use without one across it, or with several; glued loops that do not fit; a curve or point without use
+///   not closed, a use without one across it, or with several; glued loops that do not fit; a curve or point without
+///   use
 /// @cost O(n log n)
 Result<VComplex> make_v_complex(const VComplexData& data);
 

@@ -166,8 +166,8 @@ void join_curves(VComplexTables& t, const DirectedClasses& classes,
   for (auto& [c, list] : uses) t.curves[c].fans = internal::fans_of_uses(t, std::move(list));
 }
 
-// Of each of the uses, which begin at one V-point and ascend, the first one of those that V-cells, V-surfaces and
-// V-curves connect with it there.
+// Gives for each of the uses, which begin at one V-point and ascend, the first one of those that V-cells, V-surfaces
+// and V-curves connect with it there.
 std::vector<std::size_t> classes_at_point(const VComplexTables& t,
                                           const std::vector<CurveUseId>& uses) {
   DisjointSets<std::size_t> sets(uses.size());

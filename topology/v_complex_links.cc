@@ -24,7 +24,7 @@ class LinkUses {
   std::size_t next_in_cell(std::size_t i) const {
     return at(t_.uses[t_.uses[uses_[i]].across].next);
   }
-  // The same corner, of the mate. REQUIRES !is_free(i).
+  // This corner in the mate of its half-V-surface. REQUIRES !is_free(i).
   std::size_t of_mate(std::size_t i) const { return at(t_.uses[t_.uses[uses_[i]].mate].next); }
   // A use of the same end of the same fan, or none.
   std::size_t in_fan(std::size_t i) const {

@@ -94,7 +94,7 @@ inline std::vector<std::size_t> loop_lengths(const VComplex& complex, HalfVSurfa
   return out;
 }
 
-/// Pairs for a gluing of one free half-V-surface with the next one of the same shape; none if there is none.
+/// Pairs for a gluing of one free half-V-surface with the next one of the same shape; no pair if there is no such one.
 inline std::vector<UsePair> some_gluing(const VComplex& complex, const Step& step) {
   std::vector<HalfVSurfaceId> free;
   for (const HalfVSurfaceId h : complex.tables().half_surfaces)

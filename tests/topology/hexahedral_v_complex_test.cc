@@ -182,6 +182,7 @@ TEST(HexahedralVComplex, OfRings) {
 }
 
 // [ME16] figure 8: one cell, the axis of the cylinder is a collapsed face; v runs around.
+// PROVES VCOMPLEX-3
 TEST(HexahedralVComplex, OfASingularCylinder) {
   std::vector<HexahedralCell> cells(1);
   v_shapes::glue_faces(cells, 0, 2, 0, 3, 0);
@@ -232,6 +233,7 @@ TEST(HexahedralVComplex, OfAWedgeAndAPyramid) {
 }
 
 // All symmetries of all pairs of faces of two cuboids: one V-surface, and which points are glued.
+// PROVES VCOMPLEX-3
 TEST(HexahedralVComplex, GluesByEachSymmetry) {
   for (std::uint32_t f = 0; f < 6; ++f)
     for (std::uint32_t g = 0; g < 6; ++g)

@@ -55,7 +55,7 @@ class Subdivision {
  private:
   using Flag = std::pair<CurveUseId, unsigned>;  // an end (0: start) of a use
 
-  // Moves to a neighbouring tetrahedron: across a face without the V-point, curve, surface or cell. None outside.
+  // Moves to a neighbouring tetrahedron: across a face without the V-point, curve, surface or cell. The id is missing outside.
   Flag neighbour(Flag flag, unsigned without) const {
     const CurveUse& use = t_.uses[flag.first];
     switch (without) {

@@ -300,6 +300,7 @@ TEST(VComplexEdit, SurfacesThatCannotBeMergedAreNamed) {
   EXPECT_REFUSED(two, "different trivariates", merge_surfaces(two, VCurveId{0}));
 }
 
+// PROVES VCOMPLEX-4
 TEST(VComplexEdit, CellsAreSplitAndMerged) {
   VComplex complex = complex_of({v_shapes::cube()});
   // Diagonals of bottom and top, and the two vertical curves at their ends.
@@ -377,6 +378,7 @@ TEST(VComplexEdit, ARingIsCutAndJoined) {
   EXPECT_EQ(betti_numbers(complex).value(), (std::array<std::uint64_t, 4>{1, 1, 0, 0}));
 }
 
+// PROVES VCOMPLEX-4
 TEST(VComplexEdit, CellsThatCannotBeMergedAreNamed) {
   VComplex complex = complex_of(polycube({{0, 0, 0}, {1, 0, 0}}));
   EXPECT_REFUSED(complex, "not there, or not inside", merge_cells(complex, VSurfaceId{999}));
@@ -402,6 +404,21 @@ TEST(VComplexEdit, CellsThatCannotBeMergedAreNamed) {
   ASSERT_TRUE(glue(shell, std::vector<UsePair>{{a[0], b[0]}}));
   EXPECT_REFUSED(shell, "no disk on one surface",
                  merge_cells(shell, shell.half_surface(HalfVSurfaceId{0}).surface));
+}
+
+// A disk that touches itself at a corner of one cell, but not in the other one: a closed curve in a face of a cube, and
+// what is beside it glued to a pentagon. Without the disk the boundary would be pinched.
+// PROVES VCOMPLEX-4
+TEST(VComplexEdit, ASurfaceThatMeetsItselfInACornerStays) {
+  VComplex complex = complex_of({v_shapes::cube()});
+  const CurveUseId u = complex.half_surface(HalfVSurfaceId{0}).loops[0];
+  ASSERT_TRUE(split_surface(complex, u, u));
+  ASSERT_TRUE(add_cell(complex, data_of({v_shapes::prism({0, 1, 2, 3, 4}, {5, 6, 7, 8, 9})})));
+  const CurveUseId v = complex.half_surface(HalfVSurfaceId{7}).loops[0];
+  ASSERT_EQ(complex.loop(u).size(), 5u);
+  ASSERT_TRUE(glue(complex, std::vector<UsePair>{{u, v}}));
+  const VSurfaceId wall = complex.half_surface(HalfVSurfaceId{0}).surface;
+  EXPECT_REFUSED(complex, "meets itself at V-point", merge_cells(complex, wall));
 }
 
 TEST(VComplexEdit, PointsAndCurvesAreIdentified) {

@@ -54,6 +54,7 @@ TEST(VComplexHomology, OfBallsRingsAndShells) {
   EXPECT_EQ(betti(complex_of(polycube(shell))), (Betti{1, 0, 1, 0}));
 }
 
+// PROVES VCOMPLEX-2
 TEST(VComplexHomology, OfSelfGluedCubes) {
   EXPECT_EQ(betti(glued_cube({{4, 5, 0}})), (Betti{1, 1, 0, 0}));             // a ring
   EXPECT_EQ(betti(glued_cube({{2, 3, 0}, {4, 5, 0}})), (Betti{1, 2, 1, 0}));  // torus x interval
@@ -84,11 +85,13 @@ TEST(VComplexHomology, TorsionDoesNotCount) {
   EXPECT_TRUE(has_torsion);
 }
 
+// PROVES VCOMPLEX-2
 TEST(VComplexHomology, BridgesAccountForLoopsAndVoids) {
   EXPECT_EQ(betti(complex_of({v_shapes::cube_with_window()})), (Betti{1, 0, 0, 0}));
   EXPECT_EQ(betti(complex_of({v_shapes::cube_with_void()})), (Betti{1, 0, 1, 0}));
 }
 
+// PROVES VCOMPLEX-2
 TEST(VComplexHomology, ACellWithAHandleIsRefusedUntilItIsCut) {
   VComplex complex = complex_of({v_shapes::cube_with_through_hole()});
   EXPECT_EQ(euler_characteristic(complex), 0);

@@ -116,6 +116,7 @@ bool is_good(unsigned octants) {
   return components(octants) <= 1 && components(~octants & 255u) <= 1;
 }
 
+// PROVES VCOMPLEX-1
 TEST(VComplexLinks, AllSetsOfOctantsAreJudgedRight) {
   unsigned good = 0;
   for (unsigned set = 1; set < 256; ++set) {
@@ -128,6 +129,7 @@ TEST(VComplexLinks, AllSetsOfOctantsAreJudgedRight) {
 
 // Opposite faces of a cube glued by all quarter turns: 64 closed complexes. Its Euler characteristic is the sum of the
 // genera of the links, so it is a manifold iff that is 0.
+// PROVES VCOMPLEX-1
 TEST(VComplexLinks, ClosedComplexesAreManifoldsIffTheirEulerCharacteristicIsZero) {
   unsigned manifolds = 0, others = 0;
   constexpr std::array<std::uint32_t, 4> kTurns{0, 3, 6,

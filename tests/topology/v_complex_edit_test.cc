@@ -347,6 +347,18 @@ TEST(VComplexEdit, ACycleMustCloseAndMeetNoCornerTwice) {
   expect_valid(complex, {2, 7, 1, 8, 12, 8});
 }
 
+TEST(VComplexEdit, ACycleIsNoFigureOfEight) {
+  VComplex pyramid =
+      complex_of({{{{0, 3, 2, 1}}, {{0, 1, 4}}, {{1, 2, 4}}, {{2, 3, 4}}, {{3, 0, 4}}}});
+  std::vector<CurveUseId> cycle;
+  constexpr std::array<std::uint32_t, 7> kPath{4, 0, 1, 4, 2, 3, 4};
+  for (std::size_t i = 0; i < 6; ++i) cycle.push_back(use_from_to(pyramid, kPath[i], kPath[i + 1]));
+  EXPECT_REFUSED(pyramid, "passes a corner of the V-cell twice", split_cell(pyramid, cycle, 0));
+  cycle.resize(3);
+  EXPECT_TRUE(split_cell(pyramid, cycle, 0));
+  expect_valid(pyramid, {2, 6, 1, 7, 8, 5});
+}
+
 TEST(VComplexEdit, VoidsGoWithThePartThatIsNamed) {
   VComplex complex = complex_of({v_shapes::cube_with_void()});
   const auto loop = complex.loops(HalfVSurfaceId{0})[0];

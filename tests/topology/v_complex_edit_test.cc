@@ -300,6 +300,47 @@ TEST(VComplexEdit, SurfacesThatCannotBeMergedAreNamed) {
   EXPECT_REFUSED(two, "different trivariates", merge_surfaces(two, VCurveId{0}));
 }
 
+// A ball of two digons, glued to each other after a half turn: projective space. Its only curve has the only V-surface on
+// both sides, twice.
+TEST(VComplexEdit, ACurveWithOneSurfaceOnBothSidesStays) {
+  VComplexData data;
+  data.num_points = 2;
+  data.curves = {{0, 1}, {1, 0}};
+  data.cells = {{{0}, {{0, {{{0, true}, {1, true}}}}, {0, {{{1, false}, {0, false}}}}}}};
+  VComplex complex = make_v_complex(data).value();
+  const auto loop = complex.loops(HalfVSurfaceId{1})[0];
+  ASSERT_TRUE(glue(
+      complex, std::vector<UsePair>{{complex.half_surface(HalfVSurfaceId{0}).loops[0], loop[0]}}));
+  expect_valid(complex, {1, 1, 1, 2, 1, 1});
+  EXPECT_TRUE(is_manifold(complex));
+  EXPECT_EQ(betti_numbers(complex).value(), (std::array<std::uint64_t, 4>{1, 0, 0, 1}));
+  EXPECT_REFUSED(complex, "one V-surface on both sides", merge_surfaces(complex, VCurveId{0}));
+}
+
+TEST(VComplexEdit, ACurveAroundAHandleStays) {
+  VComplexData data;  // a solid torus, its boundary one annulus
+  data.num_points = 1;
+  data.curves = {{0, 0}};
+  data.cells = {{{0}, {{0, {{{0, true}}, {{0, false}}}}}}};
+  VComplex complex = make_v_complex(data).value();
+  EXPECT_EQ(boundary_of_cell(complex, VCellId{0}).at(0).genus(), 1);
+  EXPECT_REFUSED(complex, "around a handle", merge_surfaces(complex, VCurveId{0}));
+}
+
+// The apex of a pyramid whose opposite edges are identified has two curves, but four uses of them around its corner.
+TEST(VComplexEdit, CurvesThatCrossAtAPointStay) {
+  VComplex pyramid =
+      complex_of({{{{0, 3, 2, 1}}, {{0, 1, 4}}, {{1, 2, 4}}, {{2, 3, 4}}, {{3, 0, 4}}}});
+  for (std::uint32_t p = 0; p < 2; ++p) {
+    const VCurveId c = pyramid.use(use_from_to(pyramid, p, 4)).curve,
+                   d = pyramid.use(use_from_to(pyramid, p + 2, 4)).curve;
+    ASSERT_TRUE(identify_points(pyramid, VPointId{p}, VPointId{p + 2}));
+    ASSERT_TRUE(identify_curves(pyramid, c, d, false));
+  }
+  ASSERT_EQ(pyramid.point(VPointId{4}).curves.size(), 2u);
+  EXPECT_REFUSED(pyramid, "more than two V-curve uses", merge_curves(pyramid, VPointId{4}));
+}
+
 // PROVES VCOMPLEX-4
 TEST(VComplexEdit, CellsAreSplitAndMerged) {
   VComplex complex = complex_of({v_shapes::cube()});

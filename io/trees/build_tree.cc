@@ -18,11 +18,11 @@ namespace {
 
 using Surfaces = std::vector<CellSurface>;
 
-// The pointer of an error: that of the key with which its sentence begins.
+// The pointer of an error: that of the key with which its sentence begins, "radius must be", "path: no", "rotate/axis".
 std::string pointer_of(const TreeNode& node, const std::string& sentence) {
-  const std::string word = sentence.substr(0, sentence.find(' '));
+  const std::string word = sentence.substr(0, sentence.find_first_of(" :"));
   for (const TreeKey& key : node.op->keys)
-    if (key.name == word) return node.pointer + "/" + word;
+    if (key.name == word.substr(0, word.find('/'))) return node.pointer + "/" + word;
   return node.pointer;
 }
 
@@ -307,7 +307,7 @@ class TreeBuilder {
           make_rotation({rotate->point, rotate->axis}, rotate->degrees);
       if (!rotation) {
         const bool is_axis = rotate->axis == CellPoint{};
-        return bad_argument(is_axis ? "rotate: axis must not be 0" : rotation.error().message);
+        return bad_argument(is_axis ? "rotate/axis must not be 0" : rotation.error().message);
       }
       placement = after(rotation->placement, placement);
       note_angle(node, rotate->degrees, rotation->error);

@@ -110,7 +110,7 @@ Result<CellVolume> boolean_sum_in_any_order(const SixFaces& surfaces) {
     if (const Status in = check_cell_surface(s); !in) return in.error();
   const auto faces = Layout(surfaces).find();
   if (!faces)
-    return bad_argument("faces are not the faces of a cuboid: their sides do not agree in pairs");
+    return bad_argument("faces are not those of a cuboid: their sides do not agree in pairs");
   Result<CellVolume> volume = boolean_sum(*faces);
   if (volume && hand_in_the_middle(*volume) == Sign::kNegative) return swapped(*volume, 0, 1);
   return volume;

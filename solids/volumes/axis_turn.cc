@@ -144,13 +144,13 @@ Result<Turn> make_turn(const CellPoint& direction, const Rational& degrees) {
   for (int k = 1; k <= 3;
        ++k)  // 10 degrees: far more than a quarter may be off where |d| is irrational
     if (Rational(90 * k + 10) <= degrees)
-      turn.chain.push_back(quarters[static_cast<std::size_t>(k)]);
+      turn.stops.push_back(quarters[static_cast<std::size_t>(k)]);
   if (degrees == Rational(360)) {
-    turn.chain.push_back(quarters[4]);
+    turn.stops.push_back(quarters[4]);
     return turn;
   }
   const auto [end, is_exact] = end_of_turn(degrees / Rational(2), length);
-  turn.chain.push_back(end);
+  turn.stops.push_back(end);
   if (!is_exact) turn.error = angle_error();
   return turn;
 }
@@ -162,7 +162,7 @@ Result<Rotation> make_rotation(const TurnAxis& axis, const Rational& degrees) {
   if (rest.sign() == Sign::kZero) return Rotation{};
   const Result<Turn> turn = make_turn(axis.direction, rest);
   if (!turn) return turn.error();
-  const HalfTurn& q = turn->chain.back();
+  const HalfTurn& q = turn->stops.back();
   const CellPoint& d = axis.direction;
   const Rational bb = q.b * q.b, plain = q.a * q.a - bb * squared_length(d),
                  weight = q.a * q.a + bb * squared_length(d), two = Rational(2);
@@ -207,7 +207,7 @@ CellSurface turned_row(const CellSurface& surface, const TurnAxis& axis, const H
 Result<CellVolume> revolved(const CellSurface& surface, const TurnAxis& axis, const Turn& turn) {
   if (axis.direction == CellPoint{}) return bad_argument("axis must not be 0");
   if (const Status in = check_cell_surface(surface); !in) return in.error();
-  const std::size_t steps = turn.chain.size() - 1, num_rows = 2 * steps + 1;
+  const std::size_t steps = turn.stops.size() - 1, num_rows = 2 * steps + 1;
   const auto one = in_one_space<2>({homogeneous(surface)}, kMaxCellNumbers / num_rows);
   if (!one) return one.error();
   const CellSurface& section = (*one)[0];
@@ -215,8 +215,8 @@ Result<CellVolume> revolved(const CellSurface& surface, const TurnAxis& axis, co
   std::vector<CellSurface> rows;
   KnotAxis<Rational> around{2, {Rational(0)}, false};
   for (std::size_t i = 0; i <= steps; ++i) {
-    const HalfTurn& q = turn.chain[i];
-    if (i > 0) rows.push_back(turned_row(section, axis, turn.chain[i - 1], q));
+    const HalfTurn& q = turn.stops[i];
+    if (i > 0) rows.push_back(turned_row(section, axis, turn.stops[i - 1], q));
     rows.push_back(turned_row(section, axis, q, q));
     around.knots.insert(around.knots.end(), 2, Rational(static_cast<std::int64_t>(i)));
   }

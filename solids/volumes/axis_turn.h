@@ -24,7 +24,7 @@ struct HalfTurn {
 /// A turn from 0 to an angle: q_0 = 1, ..., q_n, each less than 180 degrees beyond the one before (<q_i, q_i+1> > 0), so
 /// that the quaternions (1 - t) q_i + t q_i+1 turn from one to the next.
 struct Turn {
-  std::vector<HalfTurn> chain;
+  std::vector<HalfTurn> stops;
   Rational degrees;  ///< as asked for
   Rational
       error;  ///< the angle of q_n is at most so many degrees from it; 0: it is exactly this angle
@@ -52,7 +52,7 @@ Result<Rotation> make_rotation(const TurnAxis& axis, const Rational& degrees);
 CellSurface turned_row(const CellSurface& surface, const TurnAxis& axis, const HalfTurn& p,
                        const HalfTurn& q);
 
-/// (u, v, w) -> the surface turned about the axis: each step of the chain is a rational arc of degree 2 over an interval
+/// (u, v, w) -> the surface turned about the axis: each step is a rational arc of degree 2 over an interval
 /// of length 1; at 0 and at a full turn the volume has the same homogeneous control points. Coordinates beyond the third
 /// do not turn.
 /// @error kBadArgument for a surface that is not in space, that lies on the axis, or that is in a plane with the axis and

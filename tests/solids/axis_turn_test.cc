@@ -86,11 +86,11 @@ TEST(AxisTurn, EndsAtTheAngleWithinTheStatedError) {
       return 2 * std::atan2(number(h.b) * length, number(h.a)) * 180 / kPi;
     };
     EXPECT_LE(turn.error, Rational::power_of_two(-43));
-    const long double off = std::abs(angle(turn.chain.back()) - number(degrees));
+    const long double off = std::abs(angle(turn.stops.back()) - number(degrees));
     EXPECT_LE(off, number(turn.error) + 1e-16L * number(degrees));
-    EXPECT_EQ(turn.chain.front(), (HalfTurn{q(1), q(0)}));
-    for (std::size_t i = 1; i < turn.chain.size(); ++i) {
-      const HalfTurn &p = turn.chain[i - 1], &r = turn.chain[i];
+    EXPECT_EQ(turn.stops.front(), (HalfTurn{q(1), q(0)}));
+    for (std::size_t i = 1; i < turn.stops.size(); ++i) {
+      const HalfTurn &p = turn.stops[i - 1], &r = turn.stops[i];
       EXPECT_EQ((p.a * r.a + p.b * r.b * square).sign(), Sign::kPositive);
       EXPECT_EQ((p.a * r.b - p.b * r.a).sign(), Sign::kPositive);
     }

@@ -111,7 +111,7 @@ RunCommand declare_build(OptionSet& set) {
   const auto o = std::make_shared<BuildOptions>();
   declare_plain_file(set, "TREE", o->tree, "a tree of volumes, JSON");
   set.output("-o,--output", o->output, "write the volumes, one a cell: a spline file, .vjson");
-  declare_json(set, o->json, "write counts and what is approximate");
+  declare_json(set, o->json, "write counts and angles");
   declare_reading(set, o->reading);
   set.rule([o]() -> std::string {
     if (!o->output) return "-o OUT.vjson is required, the file of the volumes";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/trees_fuzz.cc: any bytes as a tree of volumes. Errors have a line; what is built is a model that is written and reads
-// back as the same, with positive weights and within the limits.
+// fuzz/trees_fuzz.cc: any bytes as a tree of volumes. Errors have a line; what is built is a model that is written and
+// reads back as the same, with positive weights and within the limits.
 #include <cstdint>
 #include <string>
 

@@ -37,8 +37,8 @@ struct BuiltTree {
   std::uint64_t num_nodes = 0, num_files = 0;
 };
 
-/// @error  kBadArgument, kOverLimit, or as `load`, with the line of the node; the message begins with the JSON pointer of
-///         the node, or of its parameter if the sentence begins with that
+/// @error  kBadArgument, kOverLimit, or as `load`, with the line of the node; the message begins with the JSON pointer
+///         of the node, or of its parameter if the sentence begins with that
 /// @cost   sizes are checked before the memory is taken: kMaxTreeCells, kMaxTreeNumbers; numbers may take 64 MiB and 32
 ///         bytes for each byte of the tree and of its files
 Result<BuiltTree> build_tree(const TreeFile& tree, const std::string& name,

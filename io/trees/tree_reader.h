@@ -13,8 +13,8 @@ inline constexpr std::size_t kMaxTreeDepth = 100;
 
 /// Reads the nodes; nothing is built, and no file but this one is read.
 /// @param  limits  max_faces has no effect
-/// @error  kSyntax, kTruncated, kOverLimit, kBadSpline with the line; the message begins with the JSON pointer (RFC 6901)
-///         of the value, once the file is found to be JSON
+/// @error  kSyntax, kTruncated, kOverLimit, kBadSpline with the line; the message begins with the JSON pointer (RFC
+///         6901) of the value, once the file is found to be JSON
 /// @cost   near-linear in the bytes; memory at most a constant times the bytes
 Result<TreeFile> read_tree(const Source& source, const ReadLimits& limits);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/volumes/cell_maps.h: what the constructors of volumes share: exact maps in one function space, and volumes made
-// of rows of surfaces.
+// solids/volumes/cell_maps.h: what the constructors of volumes share: exact maps in one function space, and volumes
+// made of rows of surfaces.
 #pragma once
 #include <array>
 #include <cstddef>

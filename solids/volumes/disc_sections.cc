@@ -83,9 +83,9 @@ std::vector<CellSurface> disc_sections() {
 // projections of p / q from the north pole; -1 <= s, t <= 1, a = 3/8:
 //   z-  p / q = a (s + i t), with x and y exchanged, so that normals point out
 //   z+  q / p = a (s - i t), times 1 + i s t
-//   x+  p / q = (1 + i t) ((1 - r) a + r) / ((1 - r) + r a (1 + t^2)), 0 <= r <= 1, and this turned by right angles: the
-//       argument depends on t alone, |p / q| rises with r since a^2 (1 + t^2) < 1. At r = 0 it is a (1 + i t), at r = 1
-//       the side s = 1 of z+ with its factor.
+//   x+  p / q = (1 + i t) ((1 - r) a + r) / ((1 - r) + r a (1 + t^2)), 0 <= r <= 1, and this turned by right angles:
+//       the argument depends on t alone, |p / q| rises with r since a^2 (1 + t^2) < 1. At r = 0 it is a (1 + i t), at
+//       r = 1 the side s = 1 of z+ with its factor.
 std::vector<SphereSide> sphere_sides() {
   const Rational a_value(Integer(3), Integer(8));
   const Polynomial a = constant(a_value), one = constant(Rational(1)), two = constant(Rational(2));

@@ -9,8 +9,8 @@
 namespace veritope::internal {
 namespace {
 
-// The sum of (-1)^i x^(2i + first) / denominator(i) until a term is at most 2^-bits: as the terms fall and alternate, the
-// sum lies between the last two partial sums.
+// The sum of (-1)^i x^(2i + first) / denominator(i) until a term is at most 2^-bits: as the terms fall and alternate,
+// the sum lies between the last two partial sums.
 template <typename Denominator>
 RationalRange alternating(const Rational& x, int first, std::int64_t bits,
                           Denominator denominator) {

@@ -41,8 +41,8 @@ BSpline<Rational, N> placed(const BSpline<Rational, N>& map, const Placement& pl
   return transformed(map, affine);
 }
 
-/// The two parts of a cell, the one with the lower parameters first. @error kBadArgument unless the parameter lies inside
-/// of the domain of the axis
+/// The two parts of a cell, the one with the lower parameters first. @error kBadArgument unless the parameter lies
+/// inside of the domain of the axis
 Result<std::array<CellVolume, 2>> split(const CellVolume& cell, std::size_t axis,
                                         const Rational& at);
 

@@ -10,18 +10,20 @@ namespace veritope {
 
 using Cells = std::vector<CellVolume>;
 
-/// All cells of the primitives are right-handed, and two cells that touch along a face have the same homogeneous control
-/// points there. No Jacobian determinant vanishes, but in the apex of a cone (THEORY 7: the face that is a point).
+/// All cells of the primitives are right-handed, and two cells that touch along a face have the same homogeneous
+/// control points there. No Jacobian determinant vanishes, but in the apex of a cone (THEORY 7: the face that is a
+/// point).
 
 /// One cell, u, v and w along x, y and z. @error kBadArgument unless min < max in each coordinate
 Result<Cells> box_cells(const CellPoint& min, const CellPoint& max);
 
-/// On z = 0 around the z-axis, up to z = height. Cell 0 is the square prism in the middle; cells 1 to 4 are the quarters
-/// around it, from the positive x-axis on: u outwards, v around, w up. @error kBadArgument unless radius, height > 0
+/// On z = 0 around the z-axis, up to z = height. Cell 0 is the square prism in the middle; cells 1 to 4 are the
+/// quarters around it, from the positive x-axis on: u outwards, v around, w up. @error kBadArgument unless radius,
+/// height > 0
 Result<Cells> cylinder_cells(const Rational& radius, const Rational& height);
 
-/// The same with the radius `bottom` at z = 0 and `top` at z = height, top = 0 for an apex. @error kBadArgument unless
-/// bottom, height > 0, top >= 0
+/// A frustum on the same cells as a cylinder, with the radius `bottom` at z = 0 and `top` at z = height, top = 0 for
+/// an apex. @error kBadArgument unless bottom, height > 0, top >= 0
 Result<Cells> cone_cells(const Rational& bottom, const Rational& top, const Rational& height);
 
 /// Around the z-axis, the circle of radius `minor` at the distance `major`. The cells are those of a disc, as in a

@@ -27,9 +27,9 @@ Result<CellVolume> swept(std::vector<CellSurface> sections, std::span<const Rati
                          int degree, SweepMode mode);
 
 /// The inside of a surface that is closed along one of its axes: it is cut there into four strips, two Boolean sums of
-/// four curves close its ends, and the volumetric Boolean sum of the six is right-handed in the middle. The cuts are the
-/// begin of the closed axis and the three knots nearest to its quarters, where they are within an eighth of its length,
-/// else the quarters. Where the surface is smooth at a cut, the volume has N = 0 on the edge there.
+/// four curves close its ends, and the volumetric Boolean sum of the six is right-handed in the middle. The cuts are
+/// the begin of the closed axis and the three knots nearest to its quarters, where they are within an eighth of its
+/// length, else the quarters. Where the surface is smooth at a cut, the volume has N = 0 on the edge there.
 /// @error  kBadArgument if neither axis is closed as a homogeneous curve; as boolean_sum
 Result<CellVolume> tube(const CellSurface& surface);
 

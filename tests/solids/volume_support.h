@@ -119,8 +119,8 @@ inline std::vector<Face> faces_of(const CellVolume& cell) {
   return out;
 }
 
-/// V-points, V-curves, V-surfaces, internal ones, half-V-surfaces. Fails the test if glued faces have one orientation or
-/// a face is glued twice.
+/// V-points, V-curves, V-surfaces, internal ones, half-V-surfaces. Fails the test if glued faces have one orientation
+/// or a face is glued twice.
 inline std::array<std::size_t, 5> part_counts(const Cells& cells) {
   std::vector<Face> faces;
   std::vector<CellCurve> curves;

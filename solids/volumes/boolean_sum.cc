@@ -90,26 +90,23 @@ class Sum {
     return side_of(face(a, i), place_in(a, b), j);
   }
 
-  // Scales face after face, from u0 on, to the faces scaled before.
+  // Scales the faces to u0, and u1, which meets u0 in no edge, to v0. The quotient of two faces along their edge is a
+  // constant, which is that of their weights at both of its ends. So the quotients around a corner multiply to 1, and
+  // around every other cycle of faces, too, since those of corners generate them all: every edge is equal then.
   Status to_equal_edges() {
-    std::array<bool, 6> is_scaled{true};
-    for (int round = 0; round < 2; ++round)  // u1 meets u0 in no edge: it follows the others
-      for (std::size_t g = 0; g < 6; ++g)
-        for (std::size_t f = 0; f < 6; ++f) {
-          if (f / 2 == g / 2 || !is_scaled[f]) continue;
-          const CellCurve at_f = edge(f / 2, f % 2, g / 2, g % 2),
-                          at_g = edge(g / 2, g % 2, f / 2, f % 2);
-          const auto factor = internal::factor_between(at_f, at_g);
-          if (!factor) return refuse(f, g, at_f, at_g);
-          if (*factor == Rational(1)) {
-            is_scaled[g] = true;
-            continue;
-          }
-          if (is_scaled[g]) return refuse_factors(f, g, *factor);
-          for (Rational& x : faces_[g].coefficients()) x *= *factor;
-          is_scaled[g] = true;
-        }
+    for (std::size_t f = 0; f < 6; ++f)
+      for (std::size_t g = f - f % 2 + 2; g < 6; ++g)
+        if (!factor_along(f, g)) return refuse(f, g);
+    for (const std::size_t g : {2, 3, 4, 5, 1}) {
+      const Rational factor = *factor_along(g == 1 ? 2 : 0, g);
+      for (Rational& x : faces_[g].coefficients()) x *= factor;
+    }
     return ok_status();
+  }
+
+  CellCurve edge_of(std::size_t f, std::size_t g) const { return edge(f / 2, f % 2, g / 2, g % 2); }
+  std::optional<Rational> factor_along(std::size_t f, std::size_t g) const {
+    return internal::factor_between(edge_of(f, g), edge_of(g, f));
   }
 
   static std::string edge_name(std::size_t f, std::size_t g) {
@@ -118,8 +115,8 @@ class Sum {
   static std::string faces_along(std::size_t f, std::size_t g) {
     return std::string("faces ") + face_name(std::min(f, g)) + " and " + face_name(std::max(f, g));
   }
-  static Error refuse(std::size_t f, std::size_t g, const CellCurve& a, const CellCurve& b) {
-    const Rational most = largest_difference(a, b);
+  Error refuse(std::size_t f, std::size_t g) const {
+    const Rational most = largest_difference(edge_of(f, g), edge_of(g, f));
     std::string text = faces_along(f, g) + " differ along the edge " + edge_name(f, g);
     text += most.sign() == Sign::kZero
                 ? ": their control points are equal, their weights are not proportional"
@@ -127,12 +124,6 @@ class Sum {
                       " apart in a coordinate";
     return bad_argument(text);
   }
-  static Error refuse_factors(std::size_t f, std::size_t g, const Rational& factor) {
-    return bad_argument(faces_along(f, g) + " agree along the edge " + edge_name(f, g) +
-                        ", but their weights differ by the factor " + short_number(factor) +
-                        ", which no constants for the faces remove");
-  }
-
   CellVolume sum() const {
     std::array<std::vector<Rational>, 3> parts;  // of end 1; that of end 0 is what is left to 1
     for (std::size_t a = 0; a < 3; ++a) parts[a] = internal::rising(axes_[a]);

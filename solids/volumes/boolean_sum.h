@@ -16,10 +16,9 @@ const char* face_name(std::size_t face);
 
 /// The volumetric Boolean sum P_u + P_v + P_w - P_uv - P_uw - P_vw + P_uvw of the six faces, which are its boundary
 /// exactly: P_u is linear in u between u0 and u1, and so on. If a face is rational, all are taken in homogeneous form,
-/// each times a positive constant for which the homogeneous curves along their edges are equal.
+/// each times a positive constant, so that the homogeneous curves along their edges are equal.
 /// @error  kBadArgument with the edge and the largest difference if two faces differ along their edge as homogeneous
-///         curves, and where no constants make them equal; with the control point where a weight is not positive.
-///         kOverLimit
+///         curves; with the control point where a weight is not positive. kOverLimit
 Result<CellVolume> boolean_sum(SixFaces faces);
 
 /// Six surfaces in any order and orientation, which bound a cuboid layout (seed paper 000, section 5.4): arranges them,

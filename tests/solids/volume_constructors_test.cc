@@ -113,7 +113,7 @@ TEST(BooleanSum, NamesTheEdgeAndTheDefect) {
   SixFaces moved = faces;
   moved[5].component(2)[3] += q(1, 1024);
   EXPECT_EQ(boolean_sum(moved).error().message,
-            "faces v1 and w1 differ along the edge v1w1: their control points in one function "
+            "faces u1 and w1 differ along the edge u1w1: their control points in one function "
             "space are up to "
             "1/1024 apart in a coordinate");
   SixFaces weighted = faces;
@@ -123,6 +123,13 @@ TEST(BooleanSum, NamesTheEdgeAndTheDefect) {
             "faces u1 and v0 differ along the edge u1v0: their control points are equal, their "
             "weights are not "
             "proportional");
+  SixFaces slanted = faces;  // proportional along v0 and v1 by different constants, so not along w0
+  slanted[1] = homogeneous(slanted[1]);
+  for (int c = 0; c < 4; ++c)
+    for (const std::size_t i : {2, 3}) slanted[1].component(c)[i] *= q(2);
+  EXPECT_EQ(boolean_sum(slanted).error().message,
+            "faces u1 and w0 differ along the edge u1w0: their control points are equal, their "
+            "weights are not proportional");
   SixFaces flat = faces;
   flat[2] = CellSurface(flat[2].axes(), 2, false, std::vector<Rational>(8));
   EXPECT_FALSE(boolean_sum(flat));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope build.
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -76,7 +77,28 @@ class BuildRun {
     return std::move(model->model);
   }
 
+  // Whether numbers are so short that the file can be read back: a number below 10^most has at most `most` digits, and
+  // 10^1000 more than 3321 bits.
+  Status check_lengths(const BuiltTree& built) const {
+    const ReadLimits& limits = options_.reading.limits;
+    const std::uint64_t most = std::uint64_t{limits.max_digits} + limits.max_exponent;
+    const std::uint64_t bits = most * 3321 / 1000;
+    for (std::size_t i = 0; i < built.cells.size(); ++i)
+      for (const Rational& x : built.cells[i].coefficients())
+        if (std::max(x.numerator().bit_length(), x.denominator().bit_length()) > bits) {
+          Error error{Code::kOverLimit,
+                      {},
+                      "not written, it would not be read back: cell " + std::to_string(i) +
+                          " has a number of more than " + std::to_string(most) +
+                          " digits (--max-digits)"};
+          error.place.file = path();
+          return error;
+        }
+    return ok_status();
+  }
+
   ExitCode write(const BuiltTree& built) {
+    if (const Status fits = check_lengths(built); !fits) return fail(fits.error());
     const std::string bytes = spline_json_bytes(model_of_cells(built.cells));
     const Status written = write_output(path(), bytes, out_);
     if (!written && path() != "-") return fail(written.error());

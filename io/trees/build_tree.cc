@@ -2,6 +2,7 @@
 #include "io/trees/build_tree.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "io/base/source.h"
@@ -55,7 +56,11 @@ class TreeBuilder {
  private:
   Error at_node(const TreeNode& node, Error error) const {
     if (!error.place.file.empty()) return error;  // of a node below
-    error.message = pointer_of(node, error.message) + ": " + error.message;
+    constexpr std::size_t kMostText = 400;        // numbers may be long
+    const std::string pointer = pointer_of(node, error.message);
+    if (error.message.size() > kMostText)
+      error.message.replace(kMostText, error.message.npos, "...");
+    error.message = pointer + ": " + error.message;
     error.place.file = name_;
     error.place.line = node.line;
     return error;
@@ -338,18 +343,20 @@ class TreeBuilder {
     if (!cells) return cells.error();
     Cells out;
     std::size_t numbers = 0;
+    std::optional<Error> whole;  // why the first cell that is not cut stays whole
     for (const CellVolume& cell : *cells) {
-      Result<std::array<CellVolume, 2>> parts =
-          split(cell, static_cast<std::size_t>(axis[0] - 'u'), node.number("at"));
-      if (!parts)
-        return bad_argument(parts.error().message + " (cell " +
-                            std::to_string(&cell - cells->data()) + ")");
-      for (CellVolume& part : *parts) {
-        numbers += part.coefficients().size();
-        out.push_back(std::move(part));
+      const std::size_t first = out.size();
+      const auto parts = split(cell, static_cast<std::size_t>(axis[0] - 'u'), node.number("at"));
+      if (parts) {
+        out.insert(out.end(), parts.value().begin(), parts.value().end());
+      } else {
+        if (!whole) whole = parts.error();
+        out.push_back(cell);
       }
+      for (std::size_t i = first; i < out.size(); ++i) numbers += out[i].coefficients().size();
       if (const Status fits = check_size(numbers, 0); !fits) return fits.error();
     }
+    if (out.size() == cells->size()) return *whole;
     return out;
   }
 

@@ -144,6 +144,17 @@ class Build(support.Folder):
                 self.assertLess(time.monotonic() - begin, 5, "milliseconds are meant; a busy machine takes longer")
         self.assertEqual(self.listing(), ["bad.json"])
 
+    def test_numbers_that_would_not_be_read_back_are_not_written(self):
+        """Three scales by numbers of 4,000 digits; with a wider limit the file is written."""
+        root, factor = {"op": "sphere", "radius": 1}, "1" + "0" * 3998 + "1"
+        for _ in range(3):
+            root = {"op": "place", "scale": factor, "of": root}
+        done = self.build(root, expect=4)
+        self.assertIn("out.vjson: not written, it would not be read back: cell 0 has a number of more than 5096 digits", done.stderr.replace("\n    ", " "))
+        self.assertFalse(self.out.exists())
+        self.build(root, "--max-digits", 20000)
+        self.assertEqual(run("info", "--max-digits", 20000, self.out).returncode, 0)
+
     def test_the_volumes_can_go_to_standard_output(self):
         tree = self.folder / "tree.json"
         tree.write_text('{"root": {"radius": 1, "op": "sphere"}, "format": "veritope-tree-1"}')

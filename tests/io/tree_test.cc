@@ -88,6 +88,11 @@ TEST(Trees, NodesInNodesAreBuiltInTheirOrder) {
       cells_of(R"({"op":"split","axis":"v","at":"1/4","of":{"op":"file","path":"box"}})");
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[1].axis(1).domain_begin(), q(1, 4));
+  EXPECT_EQ(
+      cells_of(R"({"op":"split","axis":"v","at":"1/2","of":{"op":"split","axis":"v","at":"1/4",
+                         "of":{"op":"file","path":"box"}}})")
+          .size(),
+      3u);
 }
 
 TEST(Trees, PlaceScalesThenTurnsThenMoves) {
@@ -191,7 +196,7 @@ TEST(Trees, RefuseWithThePointerOfTheParameter) {
       {R"({"op":"split","axis":"x","at":0,"of":)" + box + "}",
        "/root/axis: axis must be 'u', 'v' or 'w', not 'x'"},
       {R"({"op":"split","axis":"u","at":1,"of":)" + box + "}",
-       "/root/at: at must lie inside of the domain, from 0 to 1, and it is 1 (cell 0)"},
+       "/root/at: at must lie inside of the domain, from 0 to 1, and it is 1"},
       {R"({"op":"boolean-sum","faces":[)" + kSquare + "]}",
        "/root/faces: six surfaces expected, but there are 1"},
       {R"({"op":"boolean-sum","arrange":true,"faces":[)" + kSquare + "," + kSquare + "," + kSquare +

@@ -185,6 +185,18 @@ TEST(Revolved, AQuarterHasTheWeightsOneOneTwo) {
   EXPECT_EQ(weights, (std::vector{q(1), q(1), q(2), q(1), q(1)}));
 }
 
+TEST(Revolved, AttributesDoNotTurn) {
+  const CellSurface square = unit_square({q(1), q(0), q(0)});
+  std::vector<Rational> all(square.coefficients().begin(), square.coefficients().end());
+  all.insert(all.end(), {q(5), q(6), q(7), q(8)});
+  const CellSurface coloured(square.axes(), 4, false, all);
+  const TurnAxis z{{}, {q(0), q(0), q(1)}};
+  const CellVolume volume = revolved(coloured, z, make_turn(z.direction, q(360)).value()).value();
+  for (const Rational& w : {q(0), q(1, 3), q(5, 2), q(4)})
+    EXPECT_EQ(point(volume, {q(1, 2), q(1, 4), w}).value()[3],
+              point(coloured, {q(1, 2), q(1, 4)}).value()[3]);
+}
+
 TEST(Revolved, RefusesAProfileOnOrAcrossTheAxisOnly) {
   const TurnAxis z{{}, {q(0), q(0), q(1)}};
   const Turn full = make_turn(z.direction, q(360)).value();

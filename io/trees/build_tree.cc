@@ -7,6 +7,7 @@
 
 #include "io/base/source.h"
 #include "io/splines/number_budget.h"
+#include "io/trees/tree_files_internal.h"
 #include "solids/volumes/axis_turn.h"
 #include "solids/volumes/boolean_sum.h"
 #include "solids/volumes/placed.h"
@@ -43,13 +44,13 @@ std::uint64_t bytes_of(const Cells& cells) {
 class TreeBuilder {
  public:
   TreeBuilder(const TreeFile& tree, const std::string& name, const LoadSplines& load)
-      : name_(name), load_(load), budget_(tree.bytes) {}
+      : name_(name), budget_(tree.bytes), files_(load, budget_) {}
 
   Result<BuiltTree> run(const TreeNode& root) {
     Result<Cells> cells = build(root);
     if (!cells) return cells.error();
     out_.cells = std::move(*cells);
-    out_.num_files = files_.size();
+    out_.num_files = files_.count();
     return std::move(out_);
   }
 
@@ -92,7 +93,7 @@ class TreeBuilder {
     if (op == "torus") return torus_cells(node.number("major"), node.number("minor"));
     if (op == "sphere") return sphere(node);
     if (op == "trivariate") return trivariate(node);
-    if (op == "file") return volumes_of_file(node);
+    if (op == "file") return files_.volumes(node);
     if (op == "glue") return glue(node);
     if (op == "place") return place(node);
     if (op == "split") return split_cells(node);
@@ -142,80 +143,10 @@ class TreeBuilder {
     return (*is_one ? one_cell_sphere : sphere_cells)(node.number("radius"));
   }
 
-  static Status check_volume(const CellVolume& volume) {
-    if (volume.dimension() < 3)
-      return bad_argument("a volume with " + std::to_string(volume.dimension()) +
-                          " coordinates is not in space");
-    for (const auto& axis : volume.axes())
-      if (const Status fits = internal::check_degree(axis.degree); !fits) return fits;
-    return ok_status();
-  }
   static Result<Cells> trivariate(const TreeNode& node) {
     const auto& volume = node.at<ExactVolume>("shape");
-    if (const Status fits = check_volume(volume); !fits) return fits.error();
+    if (const Status fits = check_cell_volume(volume); !fits) return fits.error();
     return Cells{volume};
-  }
-
-  Result<const SplineModel*> file_of(const TreeNode& node) {
-    const auto& path = node.at<std::string>("path");
-    const auto found = files_.find(path);
-    if (found != files_.end()) return &found->second;
-    Result<SplineModel> model = load_(path);
-    if (!model) {
-      Error error = model.error();
-      error.message = "path: " + to_string(error);
-      error.place = {};
-      return error;
-    }
-    for (const SplineEntity& entity : model->entities)
-      for_each_spline(entity, [&](const auto& spline) {
-        for (const Rational& x : spline.coefficients())
-          budget_.give_back(NumberBudget::bytes_of(x));
-      });
-    return &files_.emplace(path, std::move(*model)).first->second;
-  }
-  // The entity that the node names; null: all.
-  Result<const SplineEntity*> entity_of(const TreeNode& node, const SplineModel& model) {
-    const auto* const number = node.find<std::uint64_t>("entity");
-    if (number == nullptr) return static_cast<const SplineEntity*>(nullptr);
-    if (*number < model.entities.size()) return &model.entities[*number];
-    return bad_argument("entity must be less than " + std::to_string(model.entities.size()) +
-                        ", the number of entities of the file, not " + std::to_string(*number));
-  }
-  Result<Cells> volumes_of_file(const TreeNode& node) {
-    const Result<const SplineModel*> model = file_of(node);
-    if (!model) return model.error();
-    const Result<const SplineEntity*> one = entity_of(node, **model);
-    if (!one) return one.error();
-    Cells cells;
-    for (const SplineEntity& entity : (*model)->entities) {
-      if (*one != nullptr && *one != &entity) continue;
-      const auto* const volume = std::get_if<ExactVolume>(&entity.shape);
-      if (volume == nullptr)
-        return bad_argument("entity " + entity_number(**model, entity) + " of the file is a " +
-                            spline_kind_name(entity) + ", no volume");
-      if (const Status fits = check_volume(*volume); !fits) return fits.error();
-      cells.push_back(*volume);
-    }
-    if (cells.empty()) return bad_argument("path: the file has no volume");
-    return cells;
-  }
-  static std::string entity_number(const SplineModel& model, const SplineEntity& entity) {
-    return std::to_string(&entity - model.entities.data());
-  }
-
-  Result<CellSurface> surface_of_file(const TreeNode& node) {
-    const Result<const SplineModel*> model = file_of(node);
-    if (!model) return model.error();
-    Result<const SplineEntity*> one = entity_of(node, **model);
-    if (!one) return one.error();
-    if (*one == nullptr && (*model)->entities.size() != 1)
-      return bad_argument("entity is required, since the file has " +
-                          std::to_string((*model)->entities.size()) + " entities");
-    const SplineEntity& entity = *one == nullptr ? (*model)->entities[0] : **one;
-    if (const auto* const surface = std::get_if<ExactSurface>(&entity.shape)) return *surface;
-    return bad_argument("entity " + entity_number(**model, entity) + " of the file is a " +
-                        spline_kind_name(entity) + ", no surface");
   }
 
   Result<Surfaces> surfaces_of(const TreeNode& node) {
@@ -231,7 +162,7 @@ class TreeBuilder {
       } else {
         const TreeNode& file = *std::get<std::shared_ptr<const TreeNode>>(source.what);
         ++out_.num_nodes;
-        Result<CellSurface> surface = surface_of_file(file);
+        Result<CellSurface> surface = files_.surface(file);
         if (!surface) return at_node(file, surface.error());
         out.push_back(std::move(*surface));
       }
@@ -361,9 +292,8 @@ class TreeBuilder {
   }
 
   const std::string& name_;
-  const LoadSplines& load_;
   NumberBudget budget_;
-  std::map<std::string, SplineModel> files_;
+  TreeFiles files_;
   BuiltTree out_;
 };
 

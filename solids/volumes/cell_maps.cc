@@ -131,14 +131,22 @@ Result<std::vector<BSpline<Rational, N>>> in_one_space(std::vector<BSpline<Ratio
   return maps;
 }
 
-Status check_cell_surface(const CellSurface& surface) {
-  if (surface.dimension() < 3)
-    return bad_argument("a surface with " + std::to_string(surface.dimension()) +
+namespace {
+
+template <std::size_t N>
+Status check_in_space(const BSpline<Rational, N>& map, const std::string& kind) {
+  if (map.dimension() < 3)
+    return bad_argument("a " + kind + " with " + std::to_string(map.dimension()) +
                         " coordinates is not in space");
-  for (const auto& axis : surface.axes())
+  for (const auto& axis : map.axes())
     if (const Status fits = internal::check_degree(axis.degree); !fits) return fits.error();
   return ok_status();
 }
+
+}  // namespace
+
+Status check_cell_surface(const CellSurface& surface) { return check_in_space(surface, "surface"); }
+Status check_cell_volume(const CellVolume& volume) { return check_in_space(volume, "volume"); }
 
 CellVolume stacked(std::span<const CellSurface> rows, KnotAxis<Rational> axis) {
   const std::size_t count = rows[0].coefficients().size(), depth = rows.size();

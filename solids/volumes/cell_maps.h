@@ -60,6 +60,8 @@ std::optional<Rational> factor_between(const BSpline<Rational, N>& a,
 
 /// Whether a surface can be a part of a cell. @error kBadArgument if it is not in space, kOverLimit for its degree
 Status check_cell_surface(const CellSurface& surface);
+/// Whether a volume can be a cell. @error as check_cell_surface
+Status check_cell_volume(const CellVolume& volume);
 
 /// The volume whose control points at index k of a third axis are those of rows[k]. REQUIRES surfaces on the same knots
 /// with as many components, rational all or none, and a number of rows that fits the axis.

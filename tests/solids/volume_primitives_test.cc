@@ -56,8 +56,7 @@ TEST(VolumePrimitives, HavePositiveCoefficientsOfTheJacobianNumerator) {
 
 TEST(VolumePrimitives, OnlyTheApexOfAConeAndTheAxisOfOneCellAreSingular) {
   const Cells cone = cone_cells(q(3), q(0), q(4)).value();
-  for (const CellVolume& cell : cone)
-    EXPECT_EQ(signs_of_jacobian(cell), (std::array{0, 1}));
+  for (const CellVolume& cell : cone) EXPECT_EQ(signs_of_jacobian(cell), (std::array{0, 1}));
   for (const Cells& cells :
        {one_cell_cylinder(q(1), q(2)).value(), one_cell_sphere(q(3)).value()}) {
     ASSERT_EQ(cells.size(), 1u);

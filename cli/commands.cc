@@ -6,10 +6,11 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<Command, 15> kCommands = {{
+constexpr std::array<Command, 16> kCommands = {{
     {"certify", "decide whether models bound solids, and prove it", declare_certify},
     {"info", "list what is in mesh and spline files", declare_info},
     {"convert", "write a mesh or splines in another format, without loss", declare_convert},
+    {"build", "write volumes from a tree of shapes and constructors", declare_build},
     {"intersect", "find where the surfaces of two files meet, and prove it", declare_intersect},
     {"project", "find where distances are critical, and prove it", declare_project},
     {"classify", "decide whether points are in, on or out of a solid", declare_classify},

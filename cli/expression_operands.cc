@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cli/expression_operands.h"
+#include "cli/model_files.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -22,11 +23,6 @@ namespace {
 std::string true_name(const std::string& path) {
   std::error_code none;
   return std::filesystem::weakly_canonical(path, none).string();
-}
-
-// Paths of a chain file are relative to its folder.
-std::string beside(const std::string& chain, const std::string& path) {
-  return (std::filesystem::path(chain).parent_path() / path).string();
 }
 
 bool is_in_interior(const ExactBox<3>& inner, const ExactBox<3>& box) {

@@ -87,4 +87,8 @@ Result<ModelFiles> files_in_folders(const std::vector<std::string>& paths,
   return out;
 }
 
+std::string beside(const std::string& file, const std::string& path) {
+  return (fs::path(file).parent_path() / path).string();
+}
+
 }  // namespace veritope::cli

@@ -29,4 +29,7 @@ struct ModelFiles {
 Result<ModelFiles> files_in_folders(const std::vector<std::string>& paths,
                                     const std::optional<std::string>& glob);
 
+/// The path that a file names, relative to its own folder.
+std::string beside(const std::string& file, const std::string& path);
+
 }  // namespace veritope::cli

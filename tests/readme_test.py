@@ -120,6 +120,7 @@ class Recipes(unittest.TestCase):
         (self.folder / "part.stl.gz").write_bytes(gzip.compress((self.folder / "part.stl").read_bytes()))
         for name, points in (("level", "[0 0 0] [4 0 0] [0 4 0] [4 4 0]"), ("upright", "[1 1 -1] [3 2 -1] [1 1 1] [3 2 1]")):
             (self.folder / f"{name}.itd").write_text(f"[OBJECT A\n [SURFACE BEZIER 2 2 E3\n  {points}]]\n")
+        shutil.copy(ROOT / "tests" / "cli" / "trees" / "parts.json", self.folder / "flange.json")
         programs = self.folder / "programs"
         programs.mkdir()
         (programs / "your_program").write_text("#!/bin/sh\necho 0 0 0 1 0 0 0 1 0 0 0 1 1\n")

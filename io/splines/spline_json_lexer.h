@@ -3,7 +3,12 @@
 // as strings.
 #pragma once
 #include <algorithm>
+#include <functional>
 #include <initializer_list>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "io/splines/spline_text_reader.h"
 
@@ -31,6 +36,9 @@ class SplineJsonLexer : public SplineTextReader {
   /// Reads {"key": value, ...}; value(i) reads the value of keys[i]. All of `keys` must occur, once each, in any order.
   template <typename Value>
   bool read_object(std::initializer_list<std::string_view> keys, Value value);
+  /// Reads {"key": value, ...}; value(key, at) reads the value of a key whose text is at `at`. No key may occur twice.
+  template <typename Value>
+  bool read_members(Value value);
 
  private:
   bool is_next(char c) { return peek() == std::string_view(&c, 1); }
@@ -53,25 +61,35 @@ bool SplineJsonLexer::read_list(Item item) {
 }
 
 template <typename Value>
-bool SplineJsonLexer::read_object(std::initializer_list<std::string_view> keys, Value value) {
-  skip();
-  const char* const start = p_;
+bool SplineJsonLexer::read_members(Value value) {
   if (!take_char('{')) return false;
-  std::vector<bool> seen(keys.size());
+  std::set<std::string, std::less<>> seen;
   for (bool is_first = true; !is_next('}'); is_first = false) {
     if (!is_first && !take_char(',')) return false;
     skip();
     const char* const at = p_;
     std::string key;
     if (!read_string(key) || !take_char(':')) return false;
+    if (!seen.insert(key).second)
+      return fail(at, Code::kSyntax, "the key " + quoted(key) + " occurs twice");
+    if (!value(key, at)) return false;
+  }
+  return ++p_, true;
+}
+
+template <typename Value>
+bool SplineJsonLexer::read_object(std::initializer_list<std::string_view> keys, Value value) {
+  skip();
+  const char* const start = p_;
+  std::vector<bool> seen(keys.size());
+  const bool ok = read_members([&](const std::string& key, const char* at) {
     const auto found = std::find(keys.begin(), keys.end(), key);
     if (found == keys.end()) return fail(at, Code::kSyntax, "unknown key " + quoted(key));
     const auto i = static_cast<std::size_t>(found - keys.begin());
-    if (seen[i]) return fail(at, Code::kSyntax, "the key " + quoted(key) + " occurs twice");
     seen[i] = true;
-    if (!value(i)) return false;
-  }
-  ++p_;
+    return value(i);
+  });
+  if (!ok) return false;
   for (std::size_t i = 0; i < seen.size(); ++i)
     if (!seen[i])
       return fail(start, Code::kSyntax, "the key " + quoted(keys.begin()[i]) + " is missing");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/splines/spline_json_maps.h: splines and triangles in our exact text form, docs/formats/spline-json.md. Only the
-// reader of that form includes it.
+// io/splines/spline_json_maps.h: splines and triangles in our exact text form, docs/formats/spline-json.md. The
+// readers of that form and of trees of volumes include it.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -30,6 +30,9 @@ def scientific(value, digits=17):
 
 
 # A square that the cube of tests/models/patches/cube.itd meets in an arc on each of four sides.
+TREE = """{"format": "veritope-tree-1", "root": {"op": "glue", "of": [
+ {"op": "place", "of": {"op": "sphere", "radius": 1}, "rotate": {"axis": [1, 1, 0], "point": [0, 0, 0], "degrees": 30}},
+ {"op": "place", "of": {"op": "torus", "major": 3, "minor": "1/2"}, "matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -2, 0]]}]}}"""
 SQUARE = "[OBJECT S\n[SURFACE BEZIER 2 2 E3\n[-1 -1 0.25] [2 -1 0.5]\n[-1 2 0.5] [2 2 0.75]\n]\n]\n"
 
 
@@ -58,6 +61,8 @@ class Schema(Folder):
         (self.folder / "points.txt").write_text("0 0 0\n9 9 9\n")
         yield json.loads(run("boolean", "A", f"A={MODELS / 'patches' / 'knot_multiplicity_nearest_valid.vjson'}", "-o", self.folder / "s.json", "--json", "-").stdout)
         yield json.loads(run("boolean", "!F", f"F={MODELS / 'valid_frame.off'}", "-o", self.folder / "e.json", "--json", "-").stdout)
+        (self.folder / "tree.json").write_text(TREE)
+        yield json.loads(run("build", self.folder / "tree.json", "-o", self.folder / "t.vjson", "--json", "-").stdout)
         yield json.loads(run("classify", MODELS / "valid_frame.off", self.folder / "points.txt", "-o", self.folder / "a", "--json", "-", "--certificate", self.folder / "p").stdout)
         yield json.loads(run("chain", MODELS / "patches" / "cube.itd", "--origin", "auto", "--json", "-").stdout)
         yield json.loads(run("render", self.folder / "e.json", "-o", self.folder / "e.png", "--grid", 3, "--size", "64,64", "--json", "-").stdout)
@@ -130,7 +135,7 @@ class Schema(Folder):
         commands = re.findall(r"(?m)^  ([a-z-]+) {2,}", run("--help").stdout.split("Subcommands:")[1])
         self.assertIn("selftest", commands)
         with_json = [name for name in commands if "--json" in run(name, "--help").stdout]
-        self.assertEqual(sorted(with_json), ["boolean", "certify", "chain", "classify", "cover", "info", "intersect", "project", "render"])
+        self.assertEqual(sorted(with_json), ["boolean", "build", "certify", "chain", "classify", "cover", "info", "intersect", "project", "render"])
 
     def test_every_key_is_required_and_no_other_is_allowed(self):
         document = support.report(MODELS / "m2_copied_face.off", MODELS / "valid_frame.off", MODELS / "unreadable_index.off")

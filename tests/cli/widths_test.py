@@ -62,6 +62,8 @@ def command_lines():
     yield ["boolean", "A - (B | !A)", "A=tests/models/valid_nested_three.off", "B=examples/sound_part.stl", "-o", "e.json"]
     yield ["boolean", "A | (B", f"A={models[0]}", "-o", "x.json"]
     yield ["boolean", "A | B", f"A={models[0]}", "B=examples/self_crossing.off", "-o", "x.json"]
+    yield ["build", "tests/cli/trees/parts.json", "-o", "o.vjson"]
+    yield ["build", "tests/cli/trees/wrong.json", "-o", "x.vjson"]
     yield ["classify", "e.json", "examples/sound_part.stl"]
     yield ["certify", "e.json"]
     yield ["render", "e.json", "-o", "e.png", "--size", "64,64", "--grid", "25"]

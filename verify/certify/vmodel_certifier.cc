@@ -17,6 +17,7 @@
 #include "verify/certify/refutation_finding.h"
 #include "verify/certify/star_box_certifier.h"
 #include "verify/certify/v_singularities.h"
+#include "verify/certify/vmodel_work.h"
 #include "verify/certify/volume_fold.h"
 #include "verify/certify/volume_subject.h"
 #include "verify/format/vmodel_certificate.h"
@@ -110,8 +111,11 @@ class VModelCertification {
       return undecided(std::move(*finding));
     }
     if (!model_->forbidden().empty()) return undecided(finding_of(model_->forbidden().front()));
+    VModelWork work(*model_, file_.bytes);
+    if (auto finding = work.of_pieces()) return undecided(std::move(*finding));
     const VDeterminants determinants = decide_determinants(*model_, {options_.jobs});
     if (!determinants.is_proved()) return undecided(finding_of(determinants.findings.front()));
+    if (auto finding = work.of_trees(determinants)) return undecided(std::move(*finding));
     has_proved_cells_ = true;
     return decide_boundary(determinants);
   }

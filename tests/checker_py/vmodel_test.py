@@ -330,6 +330,7 @@ class Lies(VModelTest):
         for subject_format in ("vjson-faces", "stl", "mesh"):
             self.says("S1", plan.changed(values={**plan.values, "subject_format": subject_format}))
         self.says("S1", plan.changed(values={k: v for k, v in plan.values.items() if k != "euler"}))
+        self.says("B1", plan.changed(text=texts.json_text([]), count=0, flags=[], added=[], codes=[]))
 
 
 class Limits(VModelTest):
@@ -355,11 +356,34 @@ class Limits(VModelTest):
             self.reaches_x(says, forge.Plan([m]))
 
     def test_bits_of_all_coefficients(self):
-        """Of degrees (5, 5, 5) N has 15^3 = 3375 coefficients; 4971 bits are the most."""
-        for bits, says in ((4971, "ACCEPT"), (4972, "B2")):
+        """Of degrees (5, 5, 5) N has 15^3 = 3375 coefficients; 4971 bits are the most, and are already too much work here."""
+        for bits, says in ((4971, "too much work|more work"), (4972, "too long")):
             x = (0, 1, 2, 3, 4, 1 << bits - 1)
-            m = folds.bezier((5, 5, 5), lambda u, v, w, x=x: (x[int(5 * u)], 5 * v, 5 * w))
-            self.reaches_x(says, forge.Plan([m]))
+            plan = forge.Plan([folds.bezier((5, 5, 5), lambda u, v, w, x=x: (x[int(5 * u)], 5 * v, 5 * w))]).settled()
+            line = vc._check(plan.model(), plan.certificate(), frozenset())[1]
+            self.assertRegex(line, "REJECT (B2|V2): .*(%s)" % says)
+
+    def test_bits_of_knots_and_breaks(self):
+        """The least common denominator of these two breaks has 2048 bits, or one more."""
+        for power, says in ((1024, "ACCEPT"), (1025, "B2")):
+            plan = forge.Plan([folds.cube()], added=[[[Q(1, 1 << power), Q(1, 3 ** 646)], [], []]])
+            self.reaches_x(says, plan)
+
+    def test_work(self):
+        """Long knots at high degrees cost work before any coefficient is known; so do many pieces and deep trees."""
+        rng = random.Random(3)
+        far = sorted(rng.randrange(1 << 2000) for _ in range(20))
+        long = forge.Plan([models.box((0, 0, 0), (1, 1, 1), (15, 1, 1))], added=[[[Q(t, (1 << 2000) + 1) for t in far], [], []]])
+        many = forge.Plan([models.box((0, 0, 0), (1, 1, 1), (3, 3, 3))], added=[[[Q(i, 20) for i in range(1, 20)]] * 3])
+        deep = forge.Plan([models.box((0, 0, 0), (1, 1, 1), (8, 8, 8))])
+        tree = LEAF
+        for level in range(8):
+            tree = (level % 3, tree, tree)
+        deep.entries = {0: ((), tree)}
+        for plan, says in ((long, "B2"), (many, "[BV]2"), (deep, "V2")):
+            plan.values = dict.fromkeys(NUMBERS, 0)
+            line = vc._check(plan.model(), plan.certificate(), frozenset())[1]
+            self.assertRegex(line, "REJECT %s: .*(too much work|more work)" % says)
 
 
 class Hostile(VModelTest):

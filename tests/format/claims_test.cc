@@ -147,7 +147,7 @@ VModelBody vmodel() {
   b.faces[3] = {VModelFace::Kind::kGlued, 11, 6};
   b.faces[5] = {VModelFace::Kind::kGlued, 6, 0};
   b.faces[6].kind = b.faces[11].kind = VModelFace::Kind::kNamed;
-  b.determinants = {{0, 1U << 25, {0}}, {3, 0, {2, 0, 1, 0, 0}}, {std::uint64_t{1} << 40, 5, {0}}};
+  b.determinants = {{0, 1U << 25, {0}}, {3, 0, {2, 0, 1, 0, 0}}, {(1U << 24) - 1, 5, {0}}};
   b.boundary = star_2();
   return b;
 }

@@ -294,7 +294,7 @@ def corner(face, s, t):
 
 
 def edge(a, b):
-    """Of two corners of a cell: (cell, its ends, None along itself)."""
+    """The edge between two corners of a cell: (cell, its ends, None along itself)."""
     return a[0], tuple(x if x == y else None for x, y in zip(a[1], b[1]))
 
 
@@ -419,7 +419,7 @@ class ProverOfX(forge2.Prover2):
         super().__init__(entities, search=True, **options)
 
     def star_box(self, node):
-        """Of several sizes."""
+        """Tries several sizes."""
         for self.factor in (1.6, 2.5, 1.2, 4):
             box = super().star_box(node)
             if box:

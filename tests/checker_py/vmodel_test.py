@@ -36,7 +36,7 @@ class VModelTest(unittest.TestCase):
         self.says("ACCEPT", plan, {condition})
 
     def reaches_x(self, expected, plan):
-        """Of a certificate whose X is empty: B1 is the first that can fail there."""
+        """Judges a certificate whose X is empty: B1 is the first that can fail there."""
         plan.x = b""
         self.says("B1" if expected == "ACCEPT" else expected, plan.settled())
 
@@ -98,7 +98,7 @@ class Honest(VModelTest):
             return False
 
     def test_all_names_and_directions_of_parameters(self):
-        """Of two cells with a common face that has no symmetry: one symmetry of eight fits."""
+        """The common face of two cells has no symmetry: one symmetry of eight fits."""
         bump = [Q(0), Q(1, 8), Q(1, 4), Q(1, 2)]
 
         def cell(first):
@@ -256,7 +256,7 @@ class Lies(VModelTest):
             self.reaches_x("V3", plan.changed(maps=[m, plan.maps[1]], text=None))
 
     def test_v3_other_maps_of_one_face(self):
-        """The same points: under a quadratic change of parameters, and with a polynomial factor."""
+        """The points are equal, under a quadratic change of parameters or with a polynomial factor."""
         a, squared = models.honest("two").maps[0], (0, Q(1, 4), 1)     # v -> (v + v^2) / 2
         change = folds.bezier((1, 2, 1), lambda u, v, w: (1 + u, squared[int(2 * v)], w))
         weights = (1, Q(3, 2), 2)                         # times 1 + v
@@ -356,7 +356,7 @@ class Limits(VModelTest):
             self.reaches_x(says, forge.Plan([m]))
 
     def test_bits_of_all_coefficients(self):
-        """Of degrees (5, 5, 5) N has 15^3 = 3375 coefficients; 4971 bits are the most, and are already too much work here."""
+        """In the degrees (5, 5, 5) N has 15^3 = 3375 coefficients; 4971 bits are the most, and are already too much work here."""
         for bits, says in ((4971, "too much work|more work"), (4972, "too long")):
             x = (0, 1, 2, 3, 4, 1 << bits - 1)
             plan = forge.Plan([folds.bezier((5, 5, 5), lambda u, v, w, x=x: (x[int(5 * u)], 5 * v, 5 * w))]).settled()
@@ -388,7 +388,7 @@ class Limits(VModelTest):
 
 class Hostile(VModelTest):
     def test_bytes_of_bodies(self):
-        """Of false models nothing is accepted; of the others only what says the same."""
+        """No certificate of a false model is accepted."""
         rng, accepted = random.Random(11), 0
         false = [false_models.false(name)[0] for name in ("cavity", "folded at a corner", "cell and copies", "one ulp", "turned inner cell")]
         honest = [models.honest(name) for name in ("cube", "two with breaks", "a wedge", "squares", "a ring", "a tree")]

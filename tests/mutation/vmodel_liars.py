@@ -287,7 +287,7 @@ def wrong_codes(rng):
 
 
 def wrong_flags(rng):
-    """Of cells: N is negative. Of faces of X."""
+    """Flags of cells, where N is negative, and flags of faces of X."""
     plan = true_plan(rng)
     lie = plan.changed()
     lie.flags[rng.randrange(len(lie.flags))] ^= 1

@@ -7,8 +7,9 @@
 // times it have at most this many bits.
 std::vector<Big> integers_of(const std::vector<Ratio>& v, int64_t most);
 
-// What the Bezier coefficients on an interval [a, b] of a spline of this degree depend on: the 2 p knots around it and b,
-// all minus a, times a factor > 0, and the first of the p + 1 control points. B2. REQUIRES that no knot is inside of [a, b].
+// What the Bezier coefficients on an interval [a, b] of a spline of this degree depend on: the 2 p knots around it and
+// b, all minus a, times a factor > 0, and the first of the p + 1 control points. B2.
+// REQUIRES that no knot is inside of [a, b].
 struct KnotWindow {
   size_t degree, first;
   std::vector<Big> from_begin;

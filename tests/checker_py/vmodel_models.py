@@ -35,6 +35,18 @@ def permuted(m, axes, reverse=(0, 0, 0)):
     return texts.Map([m.degrees[a] for a in axes], knots, points, m.rational)
 
 
+def renamed(maps, rng):
+    """(the cells, their flags): the parameters of each are named and directed at random, some degrees are higher."""
+    found, flags = [], []
+    for m in maps:
+        if all(len(t) == 2 * p + 2 for t, p in zip(m.knots, m.degrees)) and rng.random() < .5:
+            m = raised_cell(m, rng.randrange(3))
+        axes, reverse = rng.sample(range(3), 3), [rng.randrange(2) for _ in range(3)]
+        found.append(permuted(m, axes, reverse))
+        flags.append(is_mirror(axes, reverse))
+    return found, flags
+
+
 def is_mirror(axes, reverse):
     return (sum(axes[i] > axes[j] for i in range(3) for j in range(i + 1, 3)) + sum(reverse)) % 2
 
@@ -200,7 +212,9 @@ def honest_models():
         "in a cube": (in_a_cube(), {}),
         "a ring": ([closed_frame()], {}),
         "a wedge": ([cube(lambda p: (p[0], p[0] * p[1], p[2]))], {}),
+        "a wedge with breaks": ([cube(lambda p: (p[0], p[0] * p[1], p[2]))], {"added": [[[Q(1, 2)], [Q(1, 3)], [Q(1, 4)]]]}),
         "a pyramid": ([pyramid()], {}),
+        "a pyramid with breaks": ([pyramid((0, -Q(1, 4), 0))], {"added": [[[], [Q(1, 2)], [Q(1, 2)]]]}),
         "six pyramids": (pyramids_of_a_cube(), {}),
         "a fan": (fan(), {}),
         "half collapsed, split": (half_collapsed(True), {}),

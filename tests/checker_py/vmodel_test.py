@@ -47,6 +47,19 @@ class Honest(VModelTest):
             with self.subTest(name):
                 self.says("ACCEPT", models.honest(name))
 
+    def test_cells_whose_parameters_have_other_names_and_directions(self):
+        for name in ("three in an L", "in a cube", "a fan", "a pyramid with breaks", "curved pair"):
+            for seed in range(2):
+                maps, options = models.honest_models()[name]
+                with self.subTest(name, seed=seed):
+                    if options:                           # all names, and the breaks with them
+                        axes = [(1, 2, 0), (2, 0, 1)][seed]
+                        plan = forge.proved([models.permuted(m, axes) for m in maps], None, [[added[a] for a in axes] for added in options["added"]])
+                    else:
+                        plan = forge.proved(*models.renamed(maps, random.Random(seed)))
+                    self.assertEqual(plan.values["v_curves"], models.honest(name).values["v_curves"])
+                    self.says("ACCEPT", plan)
+
     def test_every_format(self):
         for name in ("cube", "two", "mirrored", "a wedge", "a ring", "squares", "in a cube"):
             for subject_format in ("itd", "g2", "mfem"):
@@ -167,18 +180,18 @@ class Lies(VModelTest):
 
     def test_v1_equal_points_with_other_weights_are_not_collapsed(self):
         """Traps: the weights (1, 1, 1) and (1, 4, 1) of two rows."""
-        def cell(weights):
-            points = [(Q(u, 1) * c, Q(u, 1) * v, Q(w)) for w in (0, 1) for v, c in ((0, 1), (Q(1, 2), 1), (1, 1)) for u in (0, 1)]
-            rows = [x for w in (0, 1) for x in [weights[w][j] for j in range(3)]]
-            return texts.Map((1, 2, 1), [[0, 0, 1, 1], [0, 0, 0, 1, 1, 1], [0, 0, 1, 1]],
-                             [(*(c * rows[n // 2] for c in p), rows[n // 2]) for n, p in enumerate(points)], True)
-        for weights, is_collapsed in ((((1, 1, 1), (1, 1, 1)), True), (((1, 4, 1), (2, 8, 2)), True), (((1, 1, 1), (1, 4, 1)), False)):
-            m = cell(weights)
-            self.assertEqual(forge.collapse_of(forge.Faces([m], [[[], [], []]]).nets[0]), "first" if is_collapsed else None)
-            for code in (0, 1):
-                plan = forge.Plan([m])
-                plan.codes[0], plan.entries = code, {0: ([8], LEAF)}
-                self.reaches_x("ACCEPT" if is_collapsed == bool(code) else "V1", plan)
+        def cell(weights, low):
+            """The face u = 0 is the line from (0, 0, low) to (0, 0, low + 1); the weights of the row w are weights[w]."""
+            points = [(u, u * v, low + w, weights[w][int(2 * v)]) for w in (0, 1) for v in (0, Q(1, 2), 1) for u in (0, 1)]
+            return texts.Map((1, 2, 1), [[0, 0, 1, 1], [0, 0, 0, 1, 1, 1], [0, 0, 1, 1]], [(x * f, y * f, z * f, f) for x, y, z, f in points], True)
+        for low in (0, -1):                               # the point 0 is equal to all its multiples
+            for weights, is_collapsed in ((((1, 1, 1), (1, 1, 1)), True), (((1, 4, 1), (2, 8, 2)), True), (((1, 1, 1), (1, 4, 1)), False)):
+                m = cell(weights, low)
+                self.assertEqual(forge.collapse_of(forge.Faces([m], [[[], [], []]]).nets[0]), "first" if is_collapsed else None)
+                for code in (0, 1):
+                    plan = forge.Plan([m])
+                    plan.codes[0], plan.entries = code, {0: ([8], LEAF)}
+                    self.reaches_x("ACCEPT" if is_collapsed == bool(code) else "V1", plan)
 
     def test_v1_an_edge_that_collapses_on_one_of_two_spans(self):
         knots = [[0, 0, 1, 1], [0, 0, 1, 1], [0, 0, 1, 2, 2]]
@@ -190,6 +203,24 @@ class Lies(VModelTest):
             plan = forge.Plan([models.spline((1, 1, 1), knots, lambda i, j, k, s=short: point(i, j, k, s))])
             plan.entries = forge.signs_of(plan)
             self.reaches_x("V1" if short else "ACCEPT", plan)
+
+    def test_v1_an_edge_inside_of_a_side_that_is_no_edge_of_the_cell(self):
+        """The height along w is 0 at the knots 0, 1 and 2 of the side v = 0: at its ends it may be, at the knot 1 it may not."""
+        for heights, says in (((0, 1, 0, 1, 0), "V1"), ((0, 1, 1, 1, 0), "ACCEPT")):
+            knots = [[0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 1], [0, 0, 1, 1]]
+            plan = forge.Plan([models.spline((2, 1, 1), knots, lambda i, j, k, h=heights: (Q(i, 2), Q(j), Q(k) * (1 if j else h[i])))])
+            plan.entries = forge.signs_of(plan)
+            self.reaches_x(says, plan)
+
+    def test_v1_a_side_that_collapses_onto_a_curve_with_a_constant_part(self):
+        for axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1)):
+            for heights, says in (((0, 0, 1), "V1"), ((0, Q(1, 2), 1), "ACCEPT")):
+                knots = [[0, 0, 1, 1], [0, 0, 1, 1], [0, 0, 1, 2, 2]]
+                m = models.spline((1, 1, 1), knots, lambda i, j, k, h=heights: (Q(i), Q(i * j), Q(k) if i else h[k]))
+                plan = forge.Plan([models.permuted(m, axes)], [models.is_mirror(axes, (0, 0, 0))])
+                plan.codes, plan.entries = forge.glued(forge.Faces(plan.maps, plan.added), plan.flags), forge.signs_of(plan)
+                self.assertIn(1, plan.codes)
+                self.reaches_x(says, plan)
 
     def test_v2_zeros(self):
         cube = models.honest("cube")
@@ -254,6 +285,23 @@ class Lies(VModelTest):
             near = [p if p != (1, 1, 1) else tuple(c + (Q(1, 1 << 52) if i == k else 0) for i, c in enumerate(p)) for p in plan.maps[0].points]
             m = texts.Map((1, 1, 1), plan.maps[0].knots, near)
             self.reaches_x("V3", plan.changed(maps=[m, plan.maps[1]], text=None))
+
+    def test_v3_pieces_that_are_equal_at_other_breaks(self):
+        """The knot at 1/2 of one cell has moved to 1/3 in the other: each piece of the face is what it was."""
+        for knot, says in ((Q(1, 2), "ACCEPT"), (Q(1, 3), "V3")):
+            maps = [models.spline((1, 1, 1), [[0, 0, 1, 1], [0, 0, t, 1, 1], [0, 0, 1, 1]], lambda i, j, k, x=x: (Q(x + i), Q(j), Q(k)))
+                    for x, t in ((0, Q(1, 2)), (1, knot))]
+            plan = forge.Plan(maps)
+            plan.codes[1], plan.codes[6] = (6, 0), 2
+            self.reaches_x(says, plan)
+
+    def test_v3_faces_that_differ_in_signs_alone(self):
+        a, b = models.honest("two").maps
+        turned = models.mapped(b, lambda p: (p[0], -p[1], -p[2]))
+        for other, says in ((b, "ACCEPT"), (turned, "V3")):
+            plan = forge.Plan([a, other])
+            plan.codes[1], plan.codes[6] = (6, 0), 2
+            self.reaches_x(says, plan)
 
     def test_v3_other_maps_of_one_face(self):
         """The points are equal, under a quadratic change of parameters or with a polynomial factor."""

@@ -264,6 +264,27 @@ class Lies(VModelTest):
                 turned[cell] = 1
                 self.says("V2", honest.changed(flags=turned).settled())
 
+    def test_v2_every_leaf_is_tested(self):
+        """N is negative in one half, or in the last or first of many parts."""
+        for x in ((0, 1, 2, 1), (0, -1, 0, 1)):
+            plan = forge.Plan([folds.bezier((3, 1, 1), lambda u, v, w, x=x: (x[int(3 * u)], v, w))])
+            for tree in ((0, LEAF, LEAF), (0, LEAF, (0, LEAF, LEAF)), (0, (0, LEAF, LEAF), LEAF)):
+                plan.entries = {0: ((), tree)}
+                self.reaches_x("V2", plan)
+
+    def test_v2_zeros_of_the_piece_do_not_excuse_leaves_inside(self):
+        """N = u (1 - u) (1 - 2u)^2: the faces u = 0 and u = 1 are zeros, the plane u = 1/2, where the leaves end, is not."""
+        x = (0, 0, 3, -1, 2, 2)                           # 12/5 times the integral of N
+        plan = forge.Plan([folds.bezier((5, 1, 1), lambda u, v, w: (x[int(5 * u)], v, w))])
+        plan.entries = {0: ([8, 17], (0, LEAF, LEAF))}
+        (_, net), = forge.pieces(plan.maps[0], [[], [], []])
+        values, degrees = forge.determinant(net, (5, 1, 1), False, 0)
+        self.assertEqual(forge.zeros_of(values, degrees), [8, 17])
+        for part in forge.halves(values, degrees, 0):
+            self.assertEqual(min(part.values()), 0)
+            self.assertEqual(forge.zeros_of(part, degrees), [8, 17])
+        self.reaches_x("V2", plan)
+
     def test_v3_names(self):
         self.says("V3", self.codes("cube", f0=2))
         self.says("V3", self.codes("two", f6=0))

@@ -79,7 +79,8 @@ def random_code(plan, f, rng):
         return rng.choice([code for code in (0, 1, 2) if code != plan.codes[f]])
     if isinstance(plan.codes[f], tuple) and r < .8:
         return plan.codes[f][0], rng.choice([s for s in range(8) if s != plan.codes[f][1]])
-    return rng.randrange(f + 1, len(plan.codes)), rng.randrange(8)
+    other = rng.randrange(f + 1, len(plan.codes)), rng.randrange(8)
+    return other if other != plan.codes[f] else 0
 
 
 def bent(plan, rng):

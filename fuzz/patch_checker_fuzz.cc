@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // fuzz/patch_checker_fuzz.cc: gives any spline model and any certificate of a claim about patches or volumes to the C++
-// checker, which must not crash or hang, and must not accept two claims about one model that contradict each other. What
-// it accepts can be explained, and encoded again. The mutator changes the model's digits, the statement's numbers and
-// the body, and then corrects sizes and hashes. Another format of the statement is another model.
+// checker, which must not crash or hang, and must not accept two claims about one model that contradict each other.
+// What it accepts can be explained, and encoded again. The mutator changes the model's digits, the statement's numbers
+// and the body, and then corrects sizes and hashes. Another format of the statement is another model.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -82,6 +82,11 @@ def closed_frame():
                   lambda i, j, k: (ring[i][0] * (1 + 2 * j), ring[i][1] * (1 + 2 * j), k))
 
 
+def figure_eight():
+    """Thirteen boxes around two holes: the Euler characteristic is negative."""
+    return [box((x, y, 0), (x + 1, y + 1, 1)) for y in range(3) for x in range(5) if y != 1 or x % 2 == 0]
+
+
 def pyramid(apex=(0, 0, 0)):
     """The face u = 0 is a point."""
     return cube(lambda p: tuple(a + p[0] * (b - a) for a, b in zip(apex, (1, 2 * p[1] - 1, 2 * p[2] - 1))))
@@ -222,6 +227,7 @@ def honest_models():
         "a shrunk edge": ([shrunk_edge()], {}),
         "squares": ([squares()], {}),
         "a tree": ([needs_a_tree()], {}),
+        "a figure eight": (figure_eight(), {}),
         "apart": ([unit, box((5, 0, 0), (6, 1, 1))], {}),
     }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/patch_checker_fuzz.cc: gives any spline model and any certificate of a claim about patches to the C++ checker,
-// which must not crash or hang, and must not accept two claims about one model that contradict each other. What it
-// accepts can be explained, and encoded again. The mutator changes the model's digits, the statement's numbers and the
-// body, and then corrects sizes and hashes. Another format of the statement is another model.
+// fuzz/patch_checker_fuzz.cc: gives any spline model and any certificate of a claim about patches or volumes to the C++
+// checker, which must not crash or hang, and must not accept two claims about one model that contradict each other.
+// What it accepts can be explained, and encoded again. The mutator changes the model's digits, the statement's numbers
+// and the body, and then corrects sizes and hashes. Another format of the statement is another model.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -31,20 +31,33 @@ enum Fact : unsigned {
   kSolid = 2,     // and as they are they bound a solid
   kReversed = 4,  // as they are they bound none, though they are closed and oriented
   kCrossing = 8,  // the map is not injective
-  kSide = 16      // a border that is passed wrongly, or twice
+  kSide = 16,     // a border that is passed wrongly, or twice
+  kOneHand = 32,  // no volume is folded
+  kFolded = 64    // one is
 };
 unsigned facts(const std::string& statement) {
   const std::string claim = get(statement, "claim");
   if (claim == "patch-invalid-1")
     return get(statement, "finding") == "crossing" ? kCrossing : kSide;
   if (claim == "patch-invalid-2") return kCrossing;
-  if (claim == "volume-folded-1") return 0;  // it says nothing about faces
+  if (claim == "volume-folded-1") return kFolded;  // it says nothing about faces
+  if (claim == "vmodel-1") return kOneHand;        // faces have another format
   if (claim == "star-box-turned-1" || claim == "star-box-turned-2") return kEmbedded | kReversed;
   return get(statement, "flipped") == "0" ? kEmbedded | kSolid : kEmbedded;
 }
 bool contradict(unsigned all) {
   const auto both = [&](unsigned a, unsigned b) { return (all & a) != 0 && (all & b) != 0; };
-  return both(kEmbedded, kCrossing) || both(kSolid | kReversed, kSide) || both(kSolid, kReversed);
+  return both(kEmbedded, kCrossing) || both(kSolid | kReversed, kSide) || both(kSolid, kReversed) ||
+         both(kOneHand, kFolded);
+}
+// The numbers of a V-model that do not depend on breaks or boxes. Cells have one orientation, and all equal faces are
+// glued, or X would not be embedded.
+std::string numbers_of_vmodel(const std::string& statement) {
+  std::string all;
+  for (const char* key : {"cells", "half_v_surfaces", "v_surfaces", "v_curves", "v_points", "euler",
+                          "reversed", "shells", "bodies", "genus"})
+    all += get(statement, key) + " ";
+  return all;
 }
 
 void check(const Input& in) {
@@ -67,6 +80,14 @@ void check(const Input& in) {
   all |= facts(statement);
   if (contradict(all))
     fail(answer + "\nbut of this model a claim was accepted that contradicts it");
+  if (get(statement, "claim") != "vmodel-1") return;
+  static std::map<std::string, std::string>* const numbers = new std::map<std::string, std::string>;
+  const std::string& before =
+      numbers
+          ->emplace(get(statement, "subject_format") + hash(in.model), numbers_of_vmodel(statement))
+          .first->second;
+  if (before != numbers_of_vmodel(statement))
+    fail(answer + "\nbut of this model other numbers were accepted: " + before);
 }
 
 class Mutator {
@@ -127,9 +148,11 @@ class Mutator {
                      body_.begin() + static_cast<std::ptrdiff_t>(at + n));
   }
   void change_statement() {
-    static const char* const kNumbers[] = {"patches", "edges",    "vertices", "shells",  "bodies",
-                                           "genus",   "boxes",    "flipped",  "winding", "cells",
-                                           "same",    "opposite", "entity",   "volumes"};
+    static const char* const kNumbers[] = {
+        "patches",  "edges",   "vertices", "shells",          "bodies",     "genus",
+        "boxes",    "flipped", "winding",  "cells",           "same",       "opposite",
+        "entity",   "volumes", "pieces",   "half_v_surfaces", "v_surfaces", "v_curves",
+        "v_points", "euler",   "reversed", "singular"};
     static const char* const kFormats[] = {"vjson",       "itd",       "g2",       "mfem",
                                            "vjson-faces", "itd-faces", "g2-faces", "mfem-faces"};
     const std::span<const certificate::Claim> claims = certificate::all_claims();

@@ -137,6 +137,21 @@ VolumeFoldedBody folded() {
   return b;
 }
 
+VModelBody vmodel() {
+  VModelBody b;
+  b.cells.resize(2);
+  b.cells[1].is_reversed = true;
+  b.cells[1].added_breaks[2] = {{true, {3}, {7}}, {false, {5, 1}, Natural(9, 200)}};
+  b.faces.resize(12);
+  b.faces[0].kind = VModelFace::Kind::kCollapsed;
+  b.faces[3] = {VModelFace::Kind::kGlued, 11, 6};
+  b.faces[5] = {VModelFace::Kind::kGlued, 6, 0};
+  b.faces[6].kind = b.faces[11].kind = VModelFace::Kind::kNamed;
+  b.determinants = {{0, 1U << 25, {0}}, {3, 0, {2, 0, 1, 0, 0}}, {(1U << 24) - 1, 5, {0}}};
+  b.boundary = star_2();
+  return b;
+}
+
 // A certificate of each claim, and bodies that fit it. All claims of the table must be here.
 struct Example {
   Bytes certificate;
@@ -188,6 +203,9 @@ std::map<std::string, Example, std::less<>> examples() {
       encode(subject, 5, invalid(true)), {invalid(true), invalid(false)}, {{true, false}}};
   all["volume-folded-1"] = {encode(subject, folded()), {folded()}, {}};
   all["patch-invalid-2"] = {encode(subject, 5, meeting()), {meeting()}, {}};
+  VModelQuantities of_cells;
+  of_cells.euler = -3;
+  all["vmodel-1"] = {encode(subject, of_cells, vmodel()), {vmodel()}, {}};
   return all;
 }
 

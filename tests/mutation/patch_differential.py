@@ -4,7 +4,8 @@
 
 Models of all formats, of surfaces and of volumes: the numbers of a sound model are written in other ways that mean the same, so that
 its certificate must still be accepted; or the text is damaged.  Certificates of all claims: bodies and statements are damaged, hashes set
-right again.  --only formats: models in .g2 and MFEM's format, and models of volumes; --only certificates, --only sheets: those.
+right again.  --only formats: models in .g2 and MFEM's format, and models of volumes; --only certificates,
+--only sheets, --only vmodels: those.
 
     python3 tests/mutation/patch_differential.py --count 50000 --seed 1 --checker PATH_TO_veritope-check
 """
@@ -28,6 +29,8 @@ import patch_liars
 import patch_solids as ps
 import sheet_liars
 import star_box_itd_test as itd
+import vmodel_liars
+import volume_folded_test as fold_tests
 
 NUMBERS = [b"0", b"1", b"-1", b"+1", b"-0", b"1.", b".5", b".", b"", b"+", b"-", b"--1", b"1e", b"e1", b"1e1", b"1E+1", b"1e-1", b"1e+", b"1e4096",
            b"1e-4096", b"1e4097", b"1e-04097", b"1e" + b"0" * 16000 + b"1", b"0x1", b"0X.8", b"0x1p3", b"0x1P-4096", b"0x1p4097", b"0x", b"0x.p1", b"0x1g",
@@ -210,9 +213,47 @@ def sheet_cases(rng):
         yield "damaged_sheets", model, damaged_certificate(cert, rng)
 
 
+def vmodel_cases(rng):
+    """Certificates of V-models, damaged before X; random cells, glued at random, with signs that hold or not."""
+    if rng.random() < .5:
+        plan = vmodel_liars.false_plan(rng)[1] if rng.random() < .4 else vmodel_liars.true_plan(rng)
+        model, cert = plan.model(), plan.certificate()
+        tail = plan.x.body()
+        for _ in range(12):
+            head = damaged_certificate(cert[:len(cert) - len(tail)], rng)
+            line, _, body = head.partition(b"\n")
+            old, new = (hashlib.sha256(b).hexdigest().encode() for b in (cert.partition(b"\n")[2], body + tail))
+            yield "damaged_vmodel", model, line.replace(old, new) + b"\n" + body + tail
+        return
+    maps = [fold_tests.random_volume(rng) for _ in range(rng.choice((1, 1, 2)))]
+    if len(maps) == 2 and rng.random() < .7:
+        axes, reverse = rng.sample(range(3), 3), [rng.randrange(2) for _ in range(3)]
+        maps[1] = vmodel_liars.models.permuted(maps[0], axes, reverse)
+    plan = vmodel_liars.forge.Plan(maps, [rng.randrange(2) for _ in maps])
+    for m, added in zip(maps, plan.added):
+        for axis, knots in enumerate(m.knots):
+            if rng.random() < .2:
+                t = knots[0] + (knots[-1] - knots[0]) * Q(rng.randint(1, 1000), 1001)
+                added[axis] += [] if t in knots else [t]
+    faces = vmodel_liars.forge.Faces(maps, plan.added)
+    for signs in (rng.random() < .7, False, False):
+        plan.codes = vmodel_liars.forge.glued(faces, plan.flags)
+        plan.entries = vmodel_liars.forge.signs_of(plan, 2) if signs else {rng.randrange(2): ([rng.randrange(26)], vmodel_liars.random_tree(rng, 5))}
+        if rng.random() < .5:
+            f = rng.randrange(len(plan.codes))
+            plan.codes[f] = vmodel_liars.random_code(plan, f, rng)
+        if rng.random() < .3:
+            plan.codes = [2 if isinstance(code, tuple) or code == 2 else code for code in plan.codes]
+            for f in range(0, len(plan.codes) - 1):
+                if plan.codes[f] == 2 and rng.random() < .5:
+                    plan.codes[f] = vmodel_liars.random_code(plan, f, rng)
+        plan.settled()
+        yield "random_vmodel", plan.model(), plan.certificate()
+
+
 def certificate_cases(rng):
     if rng.random() < .3:
-        yield from sheet_cases(rng)
+        yield from vmodel_cases(rng) if rng.random() < .3 else sheet_cases(rng)
         return
     kinds = [patch_attacks.honest] * 5 + [patch_liars.star_attacks, invalid_liars.invalid_attacks, meeting_liars.meeting_attacks, fold_liars.fold_attacks]
     kind = collar_liars.collar_attacks if rng.random() < .02 else rng.choice(kinds)
@@ -259,7 +300,7 @@ def cases(rng):
         yield from certificate_cases(rng)
 
 
-ONLY = {"": cases, "sheets": sheet_cases, "formats": lambda rng: [model_case(rng, "formats")], "certificates": certificate_cases}
+ONLY = {"": cases, "sheets": sheet_cases, "vmodels": vmodel_cases, "formats": lambda rng: [model_case(rng, "formats")], "certificates": certificate_cases}
 
 
 class Run(attacks.Run):

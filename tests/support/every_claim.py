@@ -24,6 +24,7 @@ COMMANDS = {
     "volume-folded-1": (PATCHES / "volume_folded_smallest.itd",),
     "collar-1": (EXAMPLES / "quarter_pipe.itd", "--collar"),
     "collar-2": (pathlib.Path(__file__).parent / "normals_zero_at_corners.itd", "--collar"),
+    "vmodel-1": (PATCHES / "left_handed_nearest_valid.itd", "--orient", "auto"),
 }
 
 

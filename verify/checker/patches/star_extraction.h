@@ -7,11 +7,18 @@
 // times it have at most this many bits.
 std::vector<Big> integers_of(const std::vector<Ratio>& v, int64_t most);
 
-// The Bezier coefficients on an interval of a spline of degree p are matrix times the control points first, ..., first +
-// p, up to a common positive factor.
+// What the Bezier coefficients on an interval [a, b] of a spline of this degree depend on: the 2 p knots around it and
+// b, all minus a, times a factor > 0, and the first of the p + 1 control points. B2.
+// REQUIRES that no knot is inside of [a, b].
+struct KnotWindow {
+  size_t degree, first;
+  std::vector<Big> from_begin;
+};
+KnotWindow knot_window(const std::vector<Ratio>& knots, size_t p, const Ratio& a, const Ratio& b);
+
+// The coefficients are matrix times the control points first, ..., first + p, up to a common positive factor.
 struct Extraction {
   size_t first;
   std::vector<std::vector<Big>> matrix;
 };
-// REQUIRES that no knot is inside of [a, b].
-Extraction extraction(const std::vector<Ratio>& knots, size_t p, const Ratio& a, const Ratio& b);
+Extraction extraction(const KnotWindow& window);

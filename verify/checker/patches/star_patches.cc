@@ -22,16 +22,23 @@ std::vector<Big> integers_of(const std::vector<Ratio>& v, int64_t most) {
   return r;
 }
 
-// By blossoms: coefficient j is the polar form at p - j times a and j times b, evaluated with the knots around the
-// interval (de Boor), the steps of each level times the same factor.
-Extraction extraction(const std::vector<Ratio>& knots, size_t p, const Ratio& a, const Ratio& b) {
-  size_t k = p;
-  while (compare(knots[k + 1], a) <= 0) ++k;  // knots[k] <= a < b <= knots[k + 1]
+KnotWindow knot_window(const std::vector<Ratio>& knots, size_t p, const Ratio& a, const Ratio& b) {
+  const size_t k =
+      size_t(std::upper_bound(knots.begin() + int64_t(p) + 1, knots.end(), a,
+                              [](const Ratio& x, const Ratio& y) { return compare(x, y) < 0; }) -
+             knots.begin()) -
+      1;  // knots[k] <= a < b <= knots[k + 1]
   std::vector<Ratio> from_a;
   for (size_t i = k - p + 1; i <= k + p; ++i) from_a.push_back(knots[i] - a);
   from_a.push_back(b - a);
-  const std::vector<Big> t = integers_of(from_a, kMostKnotBits);
-  Extraction e = {k - p, {}};
+  return KnotWindow{p, k - p, integers_of(from_a, kMostKnotBits)};
+}
+// By blossoms: coefficient j is the polar form at p - j times a and j times b, evaluated with the knots around the
+// interval (de Boor), the steps of each level times the same factor.
+Extraction extraction(const KnotWindow& window) {
+  const size_t p = window.degree;
+  const std::vector<Big>& t = window.from_begin;
+  Extraction e = {window.first, {}};
   // Between knots that are p-fold at both ends the coefficients are the control points.
   if (t[0].sign() == 0 && t[p - 1].sign() == 0 && t[p] == t.back() && t[2 * p - 1] == t.back()) {
     e.matrix.assign(p + 1, std::vector<Big>(p + 1));
@@ -119,7 +126,7 @@ Patch patch(const Place& at, int64_t unit, const std::vector<std::vector<Ratio>>
     std::map<size_t, Extraction>& known = (*cache)[2 * at.surface + a];
     const Ratio* const b = &breaks[2 * at.surface + a][at.interval[a]];
     if (known.count(at.interval[a]) == 0)
-      known[at.interval[a]] = extraction(e.knots[a], size_t(e.degrees[a]), b[0], b[1]);
+      known[at.interval[a]] = extraction(knot_window(e.knots[a], size_t(e.degrees[a]), b[0], b[1]));
     part[a] = &known[at.interval[a]];
     r.is_outer[a == 0 ? 3 : 0] = at.interval[a] == 0;
     r.is_outer[a == 0 ? 1 : 2] = at.interval[a] + 2 == breaks[2 * at.surface + a].size();

@@ -21,8 +21,8 @@ OF_POINTS = {**OF_MESHES, "answers_sha256": HEX64, "answers_bytes": int, "decima
              "points": int, "on": int, "undecided": int}
 OF_PATCHES = {"patches": int, "flipped": int}
 OF_VMODELS = {name: int for name in (
-    "cells", "pieces", "half_v_surfaces", "v_surfaces", "v_curves", "v_points", "euler", "reversed", "singular", "patches",
-    "shells", "bodies", "genus", "boxes")}
+    "cells", "pieces", "half_v_surfaces", "v_surfaces", "v_curves", "v_points", "euler", "reversed", "singular",
+    "patches", "shells", "bodies", "genus", "boxes")}
 OF_STARS = {**OF_PATCHES, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}
 
 CLAIMS = {claim.name: claim for claim in (

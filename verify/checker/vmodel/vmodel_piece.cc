@@ -7,11 +7,23 @@ namespace {
 
 const int64_t kMostPieceSize = 1 << 24;
 
+// An interval of an axis.
+struct Interval {
+  Extraction made;
+  bool is_unit;  // the coefficients are the control points
+  uint64_t bits;
+};
 struct Window {  // the control points of a box of knots, and what makes them coefficients
-  const Extraction* axis[3];
+  const Interval* axis[3];
 };
 
-bool is_unit(const std::vector<std::vector<Big>>& matrix) {
+uint64_t longest(const std::vector<Big>& v) {
+  int64_t bits = 0;
+  for (const Big& x : v) bits = std::max(bits, x.bits());
+  return uint64_t(bits);
+}
+
+bool is_identity(const std::vector<std::vector<Big>>& matrix) {
   for (size_t i = 0; i < matrix.size(); ++i)
     for (size_t j = 0; j < matrix.size(); ++j)
       if (!(matrix[i][j] == Big(i == j))) return false;
@@ -40,9 +52,10 @@ std::vector<Big> control_points(const Entity& e, const Window& w, const size_t* 
   for (size_t i = 0; i < n[0]; ++i)
     for (size_t j = 0; j < n[1]; ++j)
       for (size_t k = 0; k < n[2]; ++k) {
-        const uint64_t at = ((w.axis[0]->first + i) * e.points_along(1) + w.axis[1]->first + j) *
-                                e.points_along(2) +
-                            w.axis[2]->first + k;
+        const uint64_t at =
+            ((w.axis[0]->made.first + i) * e.points_along(1) + w.axis[1]->made.first + j) *
+                e.points_along(2) +
+            w.axis[2]->made.first + k;
         for (size_t c = 0; c < 4; ++c)
           r.push_back(c < 3 || e.is_rational ? e.number(at, c) : Ratio(Big(1)));
       }
@@ -53,6 +66,28 @@ void divide_by_common(std::vector<Big>* v) {
   for (size_t i = v->size(); i-- > 0 && !common.is_one();) common = gcd(common, (*v)[i]);
   if (common.is_one()) return;
   for (Big& x : *v) x = divide(x, common, nullptr);
+}
+
+// B2.
+Interval interval_of(const Entity& e, size_t axis, const Ratio& a, const Ratio& b, Units* units) {
+  const uint64_t p = uint64_t(e.degrees[axis]);
+  const KnotWindow window = knot_window(e.knots[axis], size_t(p), a, b);
+  const uint64_t t = longest(window.from_begin);
+  units->id = "B2";
+  units->add(1 + p * p * p * (64 + p * p * p * t * t / 8192) / 32);
+  Interval r = {extraction(window), false, t};
+  r.is_unit = is_identity(r.made.matrix);
+  return r;
+}
+// The units of the products that make the control points coefficients; bits: of the longest of them.
+uint64_t of_products(const Window& w, const VPiece& piece, uint64_t bits) {
+  uint64_t sum = 0;
+  for (size_t a = 0; a < 3; ++a) {
+    const uint64_t n = uint64_t(piece.n[a]), longer = n * (n - 1) * w.axis[a]->bits;  // p (p + 1) t
+    sum += uint64_t(piece.count()) * n * (32 + (1 + longer / 128) * (1 + bits / 64)) / 32;
+    bits += longer / 2;
+  }
+  return sum;
 }
 
 // Whether the homogeneous points are equal as points.
@@ -134,17 +169,13 @@ struct CellGrid {
 
 void cut_pieces(const VCell& cell, Units* units, const std::function<void(const VPiece&)>& use) {
   const Entity& e = *cell.volume;
-  std::vector<Extraction> axes[3];
-  std::vector<bool> units_matrix[3];
+  std::vector<Interval> axes[3];
   VPiece piece;
   piece.is_rational = e.is_rational;
   for (size_t a = 0; a < 3; ++a) {
     piece.n[a] = size_t(e.degrees[a]) + 1;
-    for (size_t i = 0; i < cell.intervals(a); ++i) {
-      axes[a].push_back(
-          extraction(e.knots[a], size_t(e.degrees[a]), cell.breaks[a][i], cell.breaks[a][i + 1]));
-      units_matrix[a].push_back(is_unit(axes[a].back().matrix));
-    }
+    for (size_t i = 0; i < cell.intervals(a); ++i)
+      axes[a].push_back(interval_of(e, a, cell.breaks[a][i], cell.breaks[a][i + 1], units));
   }
   size_t of_n = 1;
   for (size_t n : piece.n) of_n *= (e.is_rational ? 4 : 3) * (n - 1);
@@ -155,17 +186,17 @@ void cut_pieces(const VCell& cell, Units* units, const std::function<void(const 
         Window w;
         for (size_t a = 0; a < 3; ++a) w.axis[a] = &axes[a][at[a]];
         piece.net = control_points(e, w, piece.n);
+        units->id = "B2";
+        units->add(of_products(w, piece, longest(piece.net)));
         bool is_changed = false;
         for (size_t a = 0; a < 3; ++a)
-          if (!units_matrix[a][at[a]])
-            apply(w.axis[a]->matrix, a, piece.n, &piece.net), is_changed = true;
+          if (!w.axis[a]->is_unit)
+            apply(w.axis[a]->made.matrix, a, piece.n, &piece.net), is_changed = true;
         if (is_changed) divide_by_common(&piece.net);
-        piece.bits = 0;
-        for (const Big& x : piece.net) piece.bits = std::max(piece.bits, x.bits());
+        piece.bits = int64_t(longest(piece.net));
         require(int64_t(of_n) * piece.bits <= kMostPieceSize, "B2",
                 "the coefficients of a piece are too long for its degrees, bits",
                 uint64_t(piece.bits));
-        units->id = "B2";
         units->add(2 + uint64_t(piece.count() * piece.degrees()) * uint64_t(piece.bits) / 4096);
         use(piece);
       }

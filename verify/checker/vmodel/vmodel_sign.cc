@@ -270,7 +270,7 @@ void check_determinant(const VPiece& piece, const VEntry& entry, bool is_reverse
   }
   const uint64_t limbs = 2 + uint64_t(piece.bits) / 32, doubled = piece.times(2);
   units->id = "V2";
-  units->add(2 + (piece.is_rational ? doubled : piece.count()) * doubled * limbs * limbs / 64);
+  units->add(2 + (piece.is_rational ? doubled : piece.count()) * doubled * limbs * limbs / 256);
   Determinant n(piece);
   std::vector<Big>& c = n.coefficients();
   for (size_t i = 0; is_reversed && i < c.size(); ++i) c[i] = -c[i];

@@ -105,10 +105,10 @@ def integers(values, most_bits, what):
     common = gcd(*result) or 1
     return [v // common for v in result]
 
-def bezier_matrix(knots, p, k, a, b):
-    """Row i: the blossom at a (p - i times) and b (i times) of the control points k - p to k, times one factor > 0."""
-    t = integers([x - a for x in knots[k - p + 1:k + p + 1]] + [b - a], MAX_KNOT_BITS, "knots and breaks")
-    b, matrix = t.pop(), []
+def bezier_matrix(p, t, b):
+    """Row i: the blossom at 0 (p - i times) and b (i times) of the p + 1 control points of the 2p knots t, times one
+    factor > 0."""
+    matrix = []
     for i in range(p + 1):
         d = [[int(j == c) for c in range(p + 1)] for j in range(p + 1)]
         for r in range(1, p + 1):
@@ -127,10 +127,15 @@ def apply(matrix, rows):
     return [[sum(map(mul, line, column)) for column in columns] for line in matrix]
 
 def axis_matrix(entity, axis, lo, hi):
-    """(least control point, matrix) of the Bezier coefficients between two breaks without a knot between them."""
+    """(last control point, matrix) of the Bezier coefficients between two breaks without a knot between them."""
+    k, numbers = axis_numbers(entity, axis, lo, hi)
+    return k, bezier_matrix(entity.degrees[axis], numbers[:-1], numbers[-1])
+
+def axis_numbers(entity, axis, lo, hi):
+    """(last control point, the 2p knots around the interval and its end), all minus its begin, as integers."""
     p, knots = entity.degrees[axis], entity.knots[axis]
     k = bisect_right(knots, lo, p, len(knots) - p) - 1
-    return k, bezier_matrix(knots, p, k, lo, hi)
+    return k, integers([x - lo for x in knots[k - p + 1:k + p + 1]] + [hi - lo], MAX_KNOT_BITS, "knots and breaks")
 
 def net_of(rows, unit):
     """The arrays of the points in units of 2^E, times one factor that makes them integers."""

@@ -7,7 +7,7 @@ from itertools import product
 from math import gcd, prod
 
 from ..common.errors import Reject
-from ..patches.star_box_patches import axis_matrix, integers
+from ..patches.star_box_patches import axis_numbers, bezier_matrix, integers
 
 MAX_BITS, MAX_SIZE = 8192, 1 << 24
 OTHERS = ((1, 2), (0, 2), (0, 1))       # the two other axes, ascending
@@ -57,13 +57,14 @@ def is_one_point(points):
 
 def pieces_of(volume, breaks, spend):
     """The pieces of a cell, in their order; spend(units) is called for each."""
-    axes = [[axis_matrix(volume, axis, lo, hi) for lo, hi in zip(b, b[1:])] for axis, b in enumerate(breaks)]
+    axes = [[interval(volume, axis, lo, hi, spend) for lo, hi in zip(b, b[1:])] for axis, b in enumerate(breaks)]
     sizes = [p + 1 for p in volume.degrees]
     num_n = prod((4 if volume.rational else 3) * p for p in volume.degrees)
     for index in product(*[range(len(a)) for a in axes]):
         chosen = [a[i] for a, i in zip(axes, index)]
-        net = windows(volume, [range(k - p, k + 1) for (k, _), p in zip(chosen, volume.degrees)])
-        for axis, (_, matrix) in enumerate(chosen):
+        net = windows(volume, [range(k - p, k + 1) for (k, _, _), p in zip(chosen, volume.degrees)])
+        spend(of_products(net, sizes, [bits for _, _, bits in chosen]))
+        for axis, (_, matrix, _) in enumerate(chosen):
             if not is_unit(matrix):
                 net = [applied(matrix, a, axis, sizes) for a in net]
         common = gcd(*[c for a in net for c in a])
@@ -72,6 +73,22 @@ def pieces_of(volume, breaks, spend):
             raise Reject("B2", "the coefficients of a piece are too long for its degrees")
         spend(2 + (prod(sizes) * sum(volume.degrees) * piece.bits >> 12))
         yield piece
+
+def interval(volume, axis, lo, hi, spend):
+    """(last control point, matrix, bits of the numbers from which it is made)"""
+    p, (k, numbers) = volume.degrees[axis], axis_numbers(volume, axis, lo, hi)
+    bits = max(abs(x).bit_length() for x in numbers)
+    spend(1 + (p ** 3 * (64 + (p ** 3 * bits ** 2 >> 13)) >> 5))
+    return k, bezier_matrix(p, numbers[:-1], numbers[-1]), bits
+
+def of_products(net, sizes, bits_of_axes):
+    """The units of the products with the three matrices."""
+    length, units = max(abs(c).bit_length() for a in net for c in a), 0
+    for n, bits in zip(sizes, bits_of_axes):
+        longer = n * (n - 1) * bits
+        units += prod(sizes) * n * (32 + (1 + (longer >> 7)) * (1 + (length >> 6))) >> 5
+        length += longer >> 1
+    return units
 
 def windows(volume, ranges):
     points = [volume.at(i, j, k) for i, j, k in product(*ranges)]

@@ -9,7 +9,7 @@ from ..patches.star_box_read import Body
 MAX_CELLS, MAX_PIECES, MAX_DEGREE, MAX_HALVINGS = 1 << 20, 1 << 24, 15, 64
 MAGIC = b"VTVM"
 
-# Of a piece: the numbers of its zeros, and the symbols of its tree in preorder.
+# What a body says about a piece: the numbers of its zeros, and the symbols of its tree in preorder.
 Entry = namedtuple("Entry", "zeros tree")
 PLAIN = Entry((), (0,))
 

@@ -102,7 +102,7 @@ class SignTest:
                 raise Reject("V2", "a zero is a part of another one")
         p = [n - 1 for n in piece.sizes]
         limbs, doubled = 2 + piece.bits // 32, prod(2 * n + 1 for n in p)
-        spend(2 + ((doubled if rational else prod(piece.sizes)) * doubled * limbs ** 2 >> 6))
+        spend(2 + ((doubled if rational else prod(piece.sizes)) * doubled * limbs ** 2 >> 8))
         self.values, self.sizes = determinant(piece, rational)
         if flag:
             self.values = [-c for c in self.values]

@@ -1,0 +1,14 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""The C++ checker of vmodel-1 against the Python one, whose tests it runs: same exit code, same condition."""
+import unittest
+
+import judges
+import vmodel_test as python_tests
+
+judges.judge(python_tests.vc)
+Honest, FalseModels, Lies, Limits, Hostile = (python_tests.Honest, python_tests.FalseModels, python_tests.Lies, python_tests.Limits,
+                                              python_tests.Hostile)
+
+if __name__ == "__main__":
+    unittest.main()

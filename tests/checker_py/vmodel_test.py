@@ -148,6 +148,7 @@ class Honest(VModelTest):
 
 
 class FalseModels(VModelTest):
+    # PROVES VMODEL-1
     def test_each_is_rejected_by_the_condition_that_it_breaks(self):
         for name in false_models.FALSE:
             with self.subTest(name):
@@ -172,6 +173,7 @@ class Lies(VModelTest):
             plan.codes[int(face[1:])] = code
         return plan.settled()
 
+    # PROVES VMODEL-1.V1
     def test_v1_codes(self):
         for code in (0, 2):
             self.says("V1", self.codes("a wedge", f0=code))
@@ -251,6 +253,7 @@ class Lies(VModelTest):
         self.assertEqual(plan.entries, {0: ([8], LEAF), 1: ([8], LEAF)})
         self.alone("V2", plan)
 
+    # PROVES VMODEL-1.V2
     def test_v2_leaves(self):
         plan = models.honest("a tree")
         self.alone("V2", plan.changed(entries={}).settled())
@@ -294,6 +297,7 @@ class Lies(VModelTest):
         self.says("V3", self.codes("two", f0=(6, 0)))
         self.says("V3", self.codes("three in an L", f0=(1, 0)))
 
+    # PROVES VMODEL-1.V3
     def test_v3_orientation_breaks_and_maps(self):
         plan = models.honest("two")
         for symmetry in range(1, 8):
@@ -339,6 +343,7 @@ class Lies(VModelTest):
             plan.codes[1], plan.codes[6] = (6, 0), 2
             self.reaches_x(expected, plan)
 
+    # PROVES VMODEL-1.V4
     def test_v4(self):
         plan, _ = false_models.false("turned in X")
         self.alone("V4", plan)

@@ -37,8 +37,8 @@ struct PatchFacts {
   std::vector<std::uint64_t>
       reversed;  ///< entities that PatchOrientation::kAuto reversed, ascending
   /// The model is wrong, or not decided, because patches or shells face the wrong way, and PatchOrientation::kAuto,
-  /// which was not requested, reverses them; nothing else is known to be wrong then. Of volumes: because cells are
-  /// left-handed.
+  /// which was not requested, reverses them; nothing else is known to be wrong then. In a file of volumes:
+  /// cells are left-handed.
   bool auto_helps = false;
   std::uint64_t boxes_tried = 0;
   OpenBorders open;
@@ -48,7 +48,7 @@ struct PatchFacts {
   std::vector<PatchShellFacts> shell_facts;
   std::optional<Interval> volume;     ///< an enclosure, not part of the certificate
   std::optional<CollarFacts> collar;  ///< if it was requested
-  /// Of a file of volumes whose cells were looked at. Patches, shells and boxes are then those of its boundary.
+  /// Set for a file of volumes whose cells were looked at. Patches, shells and boxes are then those of its boundary.
   std::optional<VModelFacts> vmodel;
 };
 

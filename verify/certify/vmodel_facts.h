@@ -12,7 +12,7 @@ namespace veritope {
 
 /// A closed box in a cell's parameters on which the Jacobian determinant vanishes.
 struct VSingularity {
-  /// Of a piece: a corner, an edge or a face; or a face that is collapsed to a point or onto a curve.
+  /// A corner, an edge or a face of a piece; or a face that is collapsed to a point or onto a curve.
   enum class Kind { kCorner, kEdge, kFace, kPoint, kCurve };
 
   std::uint64_t cell = 0;

@@ -372,6 +372,9 @@ class ClassifyRun {
     if (const auto* facts = std::get_if<PatchFacts>(&done.report.facts)) {
       model_.reversed = facts->reversed;
       for (const std::uint64_t entity : model_.reversed) add_reversed("entities", entity);
+      // The boundary faces of cells turn with them.
+      if (facts->vmodel)
+        for (const std::uint64_t cell : facts->vmodel->reversed) add_reversed("cells", cell);
     }
     return kExitValid;
   }

@@ -58,7 +58,8 @@ TEST_F(CertifyFile, KeepsTheCopyOfWhichACertificateOfVolumesSpeaks) {
                          " [0 0 0][1 0 0][0 1 0][1 1 0][0 0 1][1 0 1][0 1 1][1 1 1]]\n";
   const Result<Certified> found = certify_file(file);
   ASSERT_TRUE(found);
-  ASSERT_TRUE(found->copy && found->copy->is_of_volumes);
+  ASSERT_TRUE(found->copy);
+  EXPECT_EQ(found->claim, "vmodel-1");
   const std::string path = in_folder("volume.cert");
   ASSERT_TRUE(write_certificate(*found, path));
   EXPECT_EQ(check_in_process(bytes_in(copy_path(path, "vjson")), bytes_in(path)).substr(0, 7),

@@ -268,6 +268,26 @@ class CertifyItd(Folder):
         self.assertEqual((one["verdict"], one["copy"]["what"], one["copy"]["of_volumes"], one["by_boundary_faces"]),
                          ("VALID", "its 1 volume", False, False))
 
+    def test_cells_that_may_be_torn_are_not_valid_by_their_faces(self):
+        """Along u a double knot of degree 1; the middle is pulled through the wall w = 0."""
+        row = ((0, 0), (1, 1), (1, 2), (2, 3))
+        net = [(x, y, z) for z in (0, 1) for y in (0, 1) for x, _ in row]
+        torn = "[TRIVAR BSPLINE 4 2 2 2 2 2 E3 [KV 0 0 1 1 2 2] [KV 0 0 1 1] [KV 0 0 1 1] %s]" % "".join("[%d %d %d]" % p for p in net)
+        one = self.certify(torn)
+        self.assertEqual((one["verdict"], one["error"]["code"], one["by_boundary_faces"]), ("UNDECIDED", "not-covered", False))
+        self.assertIn("its boundary faces bound a solid", one["error"]["message"])
+
+    def test_cells_are_glued_across_inner_knots_of_one_of_them(self):
+        """A bar cut by a knot beside one without it: the reading rule of faces does not glue them."""
+        bar = "[TRIVAR BSPLINE 2 3 2 2 2 2 E3 [KV 0 0 1 1] [KV 0 0 1 2 2] [KV 0 0 1 1] %s]" % "".join(
+            "[%d %d %d]" % p for p in [(x, y, z) for z in (0, 1) for y in (0, 1, 2) for x in (1, 2)])
+        whole = "[TRIVAR BEZIER 2 2 2 E3 %s]" % "".join("[%d %d %d]" % p for p in [(x, y, z) for z in (0, 1) for y in (0, 2) for x in (0, 1)])
+        one = self.certify(bar + whole)
+        self.assertEqual((one["verdict"], one["counts"]["internal"], one["counts"]["pieces"], one["volume"]["exact"]), ("VALID", 1, 4, "4/1"))
+        (self.folder / "p.txt").write_text("1 1 1/2\n1 1 0\n3 0 0\n2 1 1/2\n")
+        done = run("classify", self.folder / "model.itd", self.folder / "p.txt")
+        self.assertEqual((done.returncode, [line.split()[3] for line in done.stdout.splitlines()]), (0, ["in", "on", "out", "on"]), done)
+
     def test_a_collar_of_volumes_is_one_of_their_boundary_faces(self):
         net = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
         one = self.certify("[TRIVAR BEZIER 2 2 2 E3 %s]" % "".join("[%d %d %d]" % p for p in net), "--collar")

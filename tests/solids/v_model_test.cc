@@ -474,7 +474,7 @@ TEST(VModel, BadCellsAreNamed) {
   torn = insert_knot(torn, 2, q(1, 2));
   expect_refused({cube(0, 0, 0), torn}, Code::kBadArgument, 1,
                  "axis 2: the inner knot 1/2 occurs more often");
-  expect_refused({elevate(cube(0, 0, 0), 0, 15)}, Code::kOverLimit, 0, "axis 0: the degree 16");
+  expect_refused({elevate(cube(0, 0, 0), 0, 15)}, Code::kOverLimit, 0, "the degree 16 along u");
   std::array<KnotAxis<Rational>, 3> axes = cube(0, 0, 0).axes();
   axes[1].knots = {Rational(0), Rational(1), Rational(2), Rational(3)};
   const VVolume whole = cube(0, 0, 0);

@@ -295,12 +295,7 @@ class Certification {
 
 // Whether the faces of the stand-in are these.
 bool has_faces(const StandIn& stand_in, const std::vector<VFaceNumber>& border) {
-  std::vector<VFaceNumber> faces;
-  for (const VolumeFace& f : stand_in.faces)
-    faces.push_back(static_cast<VFaceNumber>(6 * f.volume + 2 * f.axis + f.end));
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces == border;
+  return whole_faces(stand_in.faces) == border;
 }
 
 Result<Certified> decided_stand_in(StandIn stand_in, CertifyOptions options) {
@@ -313,6 +308,17 @@ Result<Certified> decided_stand_in(StandIn stand_in, CertifyOptions options) {
   if (stand_in.is_copy())
     out->copy = {std::move(stand_in.bytes), stand_in.file.sha256, std::move(stand_in.what),
                  stand_in.is_of_volumes};
+  return out;
+}
+
+// No certificate can speak of the cells, although their boundary faces are certified.
+Certified cells_not_covered() {
+  Certified out;
+  out.facts.emplace<PatchFacts>();
+  out.findings = {not_covered(
+      "certificates about cells cover no inner knot that occurs more often than the degree, and no "
+      "numbers as long as in this file; its boundary faces bound a solid (veritope convert --faces "
+      "writes them)")};
   return out;
 }
 
@@ -354,7 +360,10 @@ Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOp
   }
   if (!*made) return Certification(file, {}, false, options).run();
   if (cells) return with_boundary(std::move(*cells), std::move(**made), options);
-  return decided_stand_in(std::move(**made), options);
+  const bool is_about_cells = (*made)->is_of_volumes && !options.with_collar;
+  Result<Certified> out = decided_stand_in(std::move(**made), options);
+  if (out && is_about_cells && out->verdict == Verdict::kValid) return cells_not_covered();
+  return out;
 }
 
 CollarFacts collar_facts(const PatchCollarSearch& search, const PieceForest& forest) {

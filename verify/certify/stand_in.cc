@@ -13,6 +13,8 @@
 #include "io/splines/volume_faces.h"
 #include "io/splines/write_splines.h"
 #include "robust/base/entity_error.h"
+#include "solids/vmodel/v_faces.h"
+#include "solids/vmodel/v_model.h"
 
 namespace veritope {
 namespace {
@@ -121,6 +123,36 @@ std::optional<StandIn> in_own_bytes(const SplineFile& file, const VolumeFaces& p
   return out;
 }
 
+// The border of the V-model, if it glues faces that neither the rule nor equal pieces show to be walls: those whose
+// knots differ.
+std::optional<VFaces> smaller_border(const SplineModel& model,
+                                     const std::vector<VolumeFace>& faces) {
+  std::vector<VVolume> cells;
+  for (const SplineEntity& e : model.entities) cells.push_back(std::get<ExactVolume>(e.shape));
+  const Result<VModel> made = make_v_model(std::move(cells), VOrientation::kAuto);
+  if (!made || !made->forbidden().empty()) return std::nullopt;
+  VFaces border = border_of(*made);
+  const std::vector<VFaceNumber> known = whole_faces(faces);
+  const bool is_smaller =
+      !border.faces.empty() && border.faces.size() < known.size() &&
+      std::includes(known.begin(), known.end(), border.faces.begin(), border.faces.end());
+  return is_smaller ? std::optional(std::move(border)) : std::nullopt;
+}
+
+void take_border(VFaces border, const SplineModel& volumes, StandIn& out) {
+  SplineModel surfaces;
+  for (std::size_t i = 0; i < border.faces.size(); ++i) {
+    const VFaceNumber f = border.faces[i];
+    const std::size_t axis = f % 6 / 2, end = f % 2;
+    const auto& across = std::get<ExactVolume>(volumes.entities[f / 6].shape).axis(axis);
+    out.faces.push_back(
+        {f / 6, axis, end, border.axes[i], end == 0 ? across.domain_begin() : across.domain_end()});
+    surfaces.entities.push_back({std::move(border.surfaces[i]), {}, {}, {}});
+  }
+  out.what = faces_text(border.faces.size(), volumes.entities.size(), 0);
+  out.bytes = spline_json_bytes(surfaces);
+}
+
 // The place in the user's file of a place in the copy: its lines are not those of the file.
 Place place_in_file(const Place& in_copy, const StandIn& copy, const SplineFile& file) {
   if (file.beyond_default_limits) return file.beyond_default_limits->place;
@@ -131,6 +163,15 @@ Place place_in_file(const Place& in_copy, const StandIn& copy, const SplineFile&
 }
 
 }  // namespace
+
+std::vector<VFaceNumber> whole_faces(const std::vector<VolumeFace>& faces) {
+  std::vector<VFaceNumber> out;
+  for (const VolumeFace& f : faces)
+    out.push_back(static_cast<VFaceNumber>(6 * f.volume + 2 * f.axis + f.end));
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
 
 bool is_read_by_checkers(const SplineFile& file) {
   return file.format != SplineFormat::kGismo && !file.has_converted_shapes;
@@ -178,10 +219,16 @@ Result<std::optional<StandIn>> stand_in_of(const SplineFile& file) {
     Result<VolumeFaces> faces = volume_faces(file.model);
     if (!faces) return faces.error();
     if (auto folded = folded_volume(file.model, *faces)) return std::move(*folded);
-    if (auto own = in_own_bytes(file, *faces)) return own;
-    out.what = faces_text(faces->patches.size(), c.volumes, faces->num_flat);
-    out.bytes = spline_json_bytes(model_of(faces->patches));
-    out.faces = std::move(faces->places);
+    std::optional<StandIn> own = in_own_bytes(file, *faces);
+    if (auto border = smaller_border(file.model, own ? own->faces : faces->places)) {
+      take_border(std::move(*border), file.model, out);
+    } else if (own) {
+      return own;
+    } else {
+      out.what = faces_text(faces->patches.size(), c.volumes, faces->num_flat);
+      out.bytes = spline_json_bytes(model_of(faces->patches));
+      out.faces = std::move(faces->places);
+    }
   } else {
     out.what = "its " + patches_text(c);
     out.bytes = spline_json_bytes(file.model);

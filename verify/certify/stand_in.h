@@ -10,6 +10,7 @@
 #include "io/splines/read_splines.h"
 #include "robust/base/result.h"
 #include "solids/patches/patch_complex.h"
+#include "solids/vmodel/v_model.h"
 #include "verify/certify/file_patches.h"
 
 namespace veritope {
@@ -37,6 +38,9 @@ struct StandIn {
 /// kMaxPatchDegree; kBadArgument for a volume whose Jacobian determinant has different signs at
 /// its corners, or there and in its middle
 Result<std::optional<StandIn>> stand_in_of(const SplineFile& file);
+
+/// The numbers of the volumes' faces on which these lie: 6 volume + 2 axis + end, ascending.
+std::vector<VFaceNumber> whole_faces(const std::vector<VolumeFace>& faces);
 
 /// The patches of the file's surfaces and triangles, or of the boundary faces of its volumes, as they are decided when
 /// nothing is reversed. @param stand_in  that of the file. @error as file_patches

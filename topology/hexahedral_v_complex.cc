@@ -97,6 +97,7 @@ class HexahedralMaker {
     for (std::size_t start = 0; start < cells_.size(); ++start) {
       if (is_seen[start]) continue;
       is_seen[start] = true;
+      out_.is_reversed[start] = cells_[start].is_reversed;
       todo.push_back(start);
       while (!todo.empty()) {
         const std::size_t c = todo.back();

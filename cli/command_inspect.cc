@@ -55,7 +55,10 @@ Result<InspectReport> elements_of(const std::string& path, const SplineFile& fil
 }
 
 ExitCode refuse_volumes(const std::string& path, const Error& error) {
-  if (error.code != Code::kOverLimit) return not_covered(path, text_of(finding_of(error)));
+  // A message about a cell names it, as "cell 3: ".
+  const bool names_place = error.message.starts_with("cell ");
+  if (error.code != Code::kOverLimit)
+    return not_covered(path, names_place ? error.message : text_of(finding_of(error)));
   complain(harmless(shown_path(path) + ": " + to_string(error)));
   return kExitUnreadable;
 }

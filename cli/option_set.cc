@@ -189,7 +189,12 @@ CommandLine::CommandLine(const std::string& title, const std::string& version,
   app_->get_formatter()->column_width(kHelpColumn);
 }
 
-void CommandLine::set_list_footer(const std::string& footer) { app_->footer(footer); }
+void CommandLine::set_list_footer(const std::string& footer) {
+  app_->footer(footer);
+  // An option without a group is not listed.
+  app_->get_help_ptr()->group("");
+  app_->get_version_ptr()->group("");
+}
 
 CommandLine::~CommandLine() = default;
 

@@ -140,7 +140,7 @@ class InspectJson {
       for (std::size_t i = 0; i < fan.uses.size(); ++i) {
         const HalfVSurface& half = complex_.half_surface(complex_.use(fan.uses[i]).half_surface);
         if (i % 2 == 0) cells.push_back(half.cell.value);
-        // Each V-surface once: where its first use in radial order is; the last use of an open fan has a V-surface of its own.
+        // Each V-surface once: with the sector after it; the last one of an open fan is after all sectors.
         if (i % 2 == 0 || (i + 1 == fan.uses.size() && !fan.is_cyclic))
           surfaces.push_back(half.surface.value);
       }

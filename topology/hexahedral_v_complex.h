@@ -53,9 +53,10 @@ struct HexahedralVComplex {
 /// collapsed are half-V-surfaces, in the order of cells and faces. V-points and V-curves are in the order of their
 /// least corners and edges. Of connected cells the first one is reversed if it says so, the others where glued faces
 /// demand it.
-/// @error kBadArgument, place.entity = a cell: a number that does not exist, a face glued twice, to itself or to a
-///   collapsed one; an edge that is collapsed on one side only; a face with four collapsed edges that is not collapsed;
-///   an edge between collapsed faces only; gluings that no choice of reversed cells makes orientable
+/// @error kBadArgument, place.entity = a cell; the message calls the axes u, v, w (face v1, edge u0v1): a number that
+///   does not exist, a face glued twice, to itself or to a collapsed one; an edge that is collapsed on one side only; a
+///   face with four collapsed edges that is not collapsed; an edge between collapsed faces only; gluings that no choice
+///   of reversed cells makes orientable
 /// @cost O(n)
 Result<HexahedralVComplex> hexahedral_v_complex(const std::vector<HexahedralCell>& cells);
 

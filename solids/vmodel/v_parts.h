@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/vmodel/v_parts.h: a cell's faces, edges and corners: their names, in the cell's own axes u, v, w, and where they
-// are.
+// solids/vmodel/v_parts.h: the names of a cell's faces, edges and corners, in its own axes u, v, w; where corners are.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -128,6 +128,14 @@ class Inspect(Model):
         self.assertEqual((common["surfaces"], common["curves"], common["points"]), ([], [inner[0]["id"]], sorted(inner[0]["points"])))
         self.assertFalse(common["exactly_one_point"])
 
+    def test_the_page_shows_what_is_printed(self):
+        self.file(cube(0, 0, 0), cube(1, 0, 0), cube(0, 1, 0), name="L.vjson")
+        page = (support.ROOT / "docs" / "cli" / "inspect.md").read_text()
+        printed = run("inspect", "L.vjson", cwd=self.folder).stdout
+        self.assertIn(printed, page)
+        lines = run("inspect", "L.vjson", "--json", "-", cwd=self.folder).stdout.splitlines()
+        self.assertIn(lines[lines.index('"v_curves":[') + 12], page)
+
     def test_two_cubes_on_one_edge(self):
         model = self.file(cube(0, 0, 0), cube(1, 1, 0))
         out = self.inspect(model)

@@ -27,7 +27,7 @@ std::uint64_t components_of(const VComplex& complex) {
   return out;
 }
 
-// Of a face that is constant in one of its parameters: the edge along the other one.
+// The edge of a face along one of its axes, at the beginning of the other one.
 std::size_t edge_of_face(std::size_t face, std::size_t along) {
   const auto others = v_face_axes(along);
   return 4 * along + (others[0] == face / 2 ? face % 2 : 2 * (face % 2));

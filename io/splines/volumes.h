@@ -9,8 +9,8 @@
 namespace veritope {
 
 /// The volumes of the file in their order, with clamped axes, which are restricted to their domains.
-/// @error kBadArgument: an entity that is not a volume (named), shapes of the file that were left out; kEmpty without an
-///        entity
+/// @error kBadArgument: an entity that is not a volume (named), shapes of the file that were left out; kEmpty without
+///        an entity
 Result<std::vector<ExactVolume>> volumes_of(const SplineFile& file);
 
 }  // namespace veritope

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""veritope inspect: counts, incidences, what is no manifold, pairs of cells, statuses."""
+"""veritope inspect: counts, incidences, where models are not manifolds, pairs of cells, statuses."""
 import itertools
 import json
 import random
@@ -312,7 +312,7 @@ class Inspect(Model):
 
 
 def elements_of(places, dimension):
-    """Of the cubes at these places: their points, edges or faces, each as the double of its middle."""
+    """The points, edges or faces of the cubes at these places, each as the double of its middle."""
     offsets = [d for d in itertools.product((0, 1, 2), repeat=3) if d.count(1) == dimension]
     return {tuple(2 * x + d for x, d in zip(p, offset)) for p in places for offset in offsets}
 

@@ -58,7 +58,7 @@ def command_lines():
     yield ["classify", "examples/part_with_hole.stl", "examples/sound_part.stl"]
     yield ["inspect", "tests/models/splines/two_cubes.mesh"]
     yield ["inspect", "tests/models/splines/two_cubes.mesh", "--pair", "0,1"]
-    yield ["inspect", "tests/models/patches/singular_line_on_a_knot.vjson"]
+    yield ["inspect", "tests/models/patches/volume_folded_smallest.itd"]
     yield ["inspect", cube]
     yield ["chain", "examples/sound_part.stl"]
     yield ["chain", "tests/models/patches/cube.itd", "--origin", "auto"]

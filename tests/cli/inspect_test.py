@@ -35,11 +35,11 @@ def document(*cells):
     return json.dumps({"format": "veritope-spline-1", "groups": [], "entities": list(cells)})
 
 
-def ring():
-    """A square ring in one cell: u from outside inward, v around, w up; v0 and v1 are equal."""
-    around = [(1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1)]
-    points = [(r * x, r * y, z) for r in (2, 1) for x, y in around for z in (0, 1)]
-    return volume([1, 1, 1], points, [[0, 0, 1, 1], [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 1]])
+def ring(inner=1, first=0, quarters=4):
+    """A part of a square ring: u from outside inward, v around, w up; all quarters: v0 and v1 are equal."""
+    around = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
+    points = [(r * around[(first + n) % 4][0], r * around[(first + n) % 4][1], z) for r in (2, inner) for n in range(quarters + 1) for z in (0, 1)]
+    return volume([1, 1, 1], points, [[0, 0, 1, 1], [0, *range(quarters + 1), quarters], [0, 0, 1, 1]])
 
 
 class Model(Folder):
@@ -184,6 +184,26 @@ class Inspect(Model):
         self.assertEqual(len(closed), 4)
         for c in out["v_curves"]:
             self.assertEqual((c["half_v_surfaces"], len(c["fans"])), (2, 1) if c in closed else (4, 1))
+
+    def test_a_ring_of_two_cells(self):
+        model = self.file(ring(first=0, quarters=2), ring(first=2, quarters=2))
+        out = self.inspect(model)
+        self.assertEqual((self.counts(out), out["betti"], out["manifold"]), ((8, 16, 10, 2, 12), [1, 1, 0, 0], True))
+        common = self.pair(model, 0, 1)
+        self.assertEqual([len(common[key]) for key in ("surfaces", "curves", "points")], [2, 8, 8])
+
+    def test_a_cylinder_of_one_cell_around_an_axis(self):
+        out = self.inspect(self.file(ring(inner=0)))
+        self.assertEqual((self.counts(out), out["betti"], out["manifold"]), ((4, 6, 4, 1, 5), [1, 0, 0, 0], True))
+        (face,) = [c for c in out["collapsed"] if c["part"] == "u1"]
+        axis = out["v_curves"][face["onto"]["id"]]
+        self.assertEqual((face["onto"]["kind"], [e["part"] for e in axis["edges"]], axis["boundary"]), ("curve", ["u1v0", "u1v1"], False))
+        self.assertEqual(axis["fans"], [{"cyclic": True, "cells": [0], "v_surfaces": [1]}])
+        self.assertEqual([c["part"] for c in out["collapsed"]], ["u1", "u1w0", "u1w1"])
+
+    def test_standard_input(self):
+        text = document(cube(0, 0, 0))
+        self.assertEqual(run("inspect", "-", "--format", "vjson", "--json", "-", input=text).stdout, run("inspect", self.file(cube(0, 0, 0)), "--json", "-").stdout)
 
     def test_collapsed_faces_and_edges(self):
         wedge = trilinear(lambda i, j, k: (i, j * i, k))  # u0 is collapsed onto an edge

@@ -9,6 +9,7 @@ namespace {
 constexpr std::array<Command, 16> kCommands = {{
     {"certify", "decide whether models bound solids, and prove it", declare_certify},
     {"info", "list what is in mesh and spline files", declare_info},
+    {"inspect", "list the elements of volumes and what they share", declare_inspect},
     {"convert", "write a mesh or splines in another format, without loss", declare_convert},
     {"build", "write volumes from a tree of shapes and constructors", declare_build},
     {"intersect", "find where the surfaces of two files meet, and prove it", declare_intersect},

@@ -29,6 +29,7 @@ std::span<const Command> commands();
 
 RunCommand declare_certify(OptionSet& set);
 RunCommand declare_info(OptionSet& set);
+RunCommand declare_inspect(OptionSet& set);
 RunCommand declare_convert(OptionSet& set);
 RunCommand declare_build(OptionSet& set);
 RunCommand declare_intersect(OptionSet& set);

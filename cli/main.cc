@@ -28,6 +28,7 @@ constexpr char kFooter[] =
     "Exit: 0 valid or done, 1 invalid, 2 wrong usage, 3 undecided, 4 unreadable, over\n"
     "a limit or cannot write, 5 our bug; several files: the first of 5, 1, 4, 3, 0";
 constexpr char kListFooter[] =
+    "SUBCOMMAND --help or -h lists its options; --version or -V prints the version\n"
     "Exit: 0 valid or done, 1 invalid, 2 usage, 3 undecided, 4 unreadable, 5 our bug";
 
 // Prevents a file that is opened later from getting the number of a standard stream that was closed. Writing to that

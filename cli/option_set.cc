@@ -189,11 +189,11 @@ CommandLine::CommandLine(const std::string& title, const std::string& version,
   app_->get_formatter()->column_width(kHelpColumn);
 }
 
-// The list has one line for both flags, so that it fits on one screen.
 void CommandLine::set_list_footer(const std::string& footer) {
   app_->footer(footer);
-  app_->get_help_ptr()->description("Print this help message and exit; -V prints the version");
-  app_->get_option("--version")->group("");
+  // An option without a group is not listed.
+  app_->get_help_ptr()->group("");
+  app_->get_version_ptr()->group("");
 }
 
 CommandLine::~CommandLine() = default;

@@ -110,7 +110,8 @@ class CommandLine {
   /// @param version  what --version prints
   /// @param footer   the last lines of the help of the program
   CommandLine(const std::string& title, const std::string& version, const std::string& footer);
-  /// Other last lines for the list of commands. To be called after all of them were added.
+  /// Other last lines for the list of commands, which has no list of options then: the footer names them. To be called
+  /// after all of them were added.
   void set_list_footer(const std::string& footer);
   ~CommandLine();
 

@@ -23,6 +23,12 @@ Error cell_error(std::size_t cell, std::string message) {
   return error;
 }
 
+std::string face_name(unsigned face) { return {"uvw"[face / 2], "01"[face % 2]}; }
+std::string edge_name(unsigned edge) {
+  const auto& others = kOtherAxes[edge / 4];
+  return face_name(2 * others[0] + (edge & 1u)) + face_name(2 * others[1] + (edge >> 1 & 1u));
+}
+
 class HexahedralMaker {
  public:
   explicit HexahedralMaker(const std::vector<HexahedralCell>& cells)
@@ -54,7 +60,7 @@ class HexahedralMaker {
       for (unsigned f = 0; f < 6; ++f) {
         const HexahedralFace& face = cells_[c].faces[f];
         if (face.kind != Kind::kGlued) continue;
-        const std::string where = "face " + std::to_string(f);
+        const std::string where = "face " + face_name(f);
         if (face.cell >= cells_.size() || face.face >= 6 || face.symmetry >= 8)
           return cell_error(c,
                             where + " is glued to a face, or by a symmetry, that does not exist");
@@ -97,6 +103,7 @@ class HexahedralMaker {
     for (std::size_t start = 0; start < cells_.size(); ++start) {
       if (is_seen[start]) continue;
       is_seen[start] = true;
+      out_.is_reversed[start] = cells_[start].is_reversed;
       todo.push_back(start);
       while (!todo.empty()) {
         const std::size_t c = todo.back();
@@ -109,7 +116,7 @@ class HexahedralMaker {
           const bool wanted = out_.is_reversed[c] != differs;
           if (is_seen[face.cell]) {
             if (out_.is_reversed[face.cell] != wanted)
-              return cell_error(c, "face " + std::to_string(f) +
+              return cell_error(c, "face " + face_name(f) +
                                        " is glued so that its cells have no common orientation");
             continue;
           }
@@ -157,8 +164,8 @@ class HexahedralMaker {
       points_.join(corner_id(c, from), corner_id(face.cell, g));
       const unsigned e = edge_between(from, to), d = edge_between(g, h);
       if (cells_[c].is_collapsed[e] != cells_[face.cell].is_collapsed[d])
-        return cell_error(c, "edge " + std::to_string(e) + " is collapsed, or is not, and edge " +
-                                 std::to_string(d) + " of cell " + std::to_string(face.cell) +
+        return cell_error(c, "edge " + edge_name(e) + " is collapsed, or is not, and edge " +
+                                 edge_name(d) + " of cell " + std::to_string(face.cell) +
                                  ", which is glued to it, differs");
       edges_.join(edge_id(c, e), edge_id(face.cell, d));
     }
@@ -170,7 +177,7 @@ class HexahedralMaker {
     for (unsigned k = 0; k < 2; ++k) {
       const unsigned e = edge_between(ring[k], ring[k + 1]), d = opposite_edge(e, f);
       if (cells_[c].is_collapsed[e] != cells_[c].is_collapsed[d])
-        return cell_error(c, "of edges " + std::to_string(e) + " and " + std::to_string(d) +
+        return cell_error(c, "of edges " + edge_name(e) + " and " + edge_name(d) +
                                  ", which a collapsed face makes one, only one is collapsed");
       const bool is_kept = !cells_[c].is_collapsed[e];
       if (is_kept) edges_.join(edge_id(c, e), edge_id(c, d));
@@ -200,7 +207,7 @@ class HexahedralMaker {
           continue;
         }
         if (face_near(c, e).is_none)
-          return cell_error(c, "edge " + std::to_string(e) + " is between collapsed faces only");
+          return cell_error(c, "edge " + edge_name(e) + " is between collapsed faces only");
         const std::array<VPointId, 2> ends{out_.points[c][begin_of_edge(e)],
                                            out_.points[c][end_of_edge(e)]};
         const VCurveId curve = out_.curves[c][e] = t_.curves.add({ends, {}});
@@ -260,7 +267,7 @@ class HexahedralMaker {
     }
     if (loop.empty())
       return cell_error(
-          c, "all edges of face " + std::to_string(f) + " are collapsed, but the face is not");
+          c, "all edges of face " + face_name(f) + " are collapsed, but the face is not");
     for (std::size_t i = 0; i < loop.size(); ++i)
       internal::join_uses(t_, loop[i], loop[(i + 1) % loop.size()]);
     t_.half_surfaces[h].loops.push_back(loop[0]);

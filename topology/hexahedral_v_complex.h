@@ -33,6 +33,8 @@ struct HexahedralCell {
   std::array<HexahedralFace, 6> faces;
   /// Edges that are collapsed onto points; those of collapsed faces need not be marked.
   std::array<bool, 12> is_collapsed{};
+  /// Its axes are left-handed. The first one of connected cells decides for all of them.
+  bool is_reversed = false;
 };
 
 struct HexahedralVComplex {
@@ -49,11 +51,12 @@ struct HexahedralVComplex {
 /// V-points are the classes of corners that gluing and collapsed edges generate; V-curves those of the other edges that
 /// gluing and faces collapsed along an axis generate (their two other edges become one); the faces that are not
 /// collapsed are half-V-surfaces, in the order of cells and faces. V-points and V-curves are in the order of their
-/// least corners and edges. Cells are reversed where glued faces demand it; of connected cells, the first one is not
-/// reversed.
-/// @error kBadArgument, place.entity = a cell: a number that does not exist, a face glued twice, to itself or to a
-///   collapsed one; an edge that is collapsed on one side only; a face with four collapsed edges that is not collapsed;
-///   an edge between collapsed faces only; gluings that no choice of reversed cells makes orientable
+/// least corners and edges. The first one of connected cells is reversed if it says so, and the others where glued
+/// faces demand it.
+/// @error kBadArgument, place.entity = a cell; the message calls the axes u, v, w (face v1, edge u0v1): a number that
+///   does not exist, a face glued twice, to itself or to a collapsed one; an edge that is collapsed on one side only; a
+///   face with four collapsed edges that is not collapsed; an edge between collapsed faces only; gluings that no choice
+///   of reversed cells makes orientable
 /// @cost O(n)
 Result<HexahedralVComplex> hexahedral_v_complex(const std::vector<HexahedralCell>& cells);
 

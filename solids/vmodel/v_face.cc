@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "solids/vmodel/v_edge_internal.h"
 #include "solids/vmodel/v_face_internal.h"
 #include "splines/bspline_common.h"
 #include "splines/bspline_domain.h"
@@ -60,12 +61,6 @@ std::uint64_t hash_number(std::uint64_t h, const Rational& x) {
     h = mixed(h ^ (n->low_bits() * 2 + (n->sign() < 0 ? 1 : 0) + (n->bit_length() << 56)));
   return h;
 }
-std::uint64_t hash_of_point(const std::array<Rational, 3>& p) {
-  std::uint64_t h = 0x9e3779b97f4a7c15u;
-  for (const Rational& x : p) h = hash_number(h, x);
-  return h;
-}
-
 std::array<Rational, 3> corner_of(const FaceView& f, unsigned x, unsigned y) {
   const std::size_t i = x == 0 ? 0 : f.size(0) - 1, j = y == 0 ? 0 : f.size(1) - 1;
   std::array<Rational, 3> p{f.at(0, i, j), f.at(1, i, j), f.at(2, i, j)};
@@ -201,10 +196,16 @@ unsigned equal_symmetries(const FaceView& f, const FaceView& g, unsigned wanted)
   return out;
 }
 
+std::uint64_t point_hash(const std::array<Rational, 3>& p) {
+  std::uint64_t h = 0x9e3779b97f4a7c15u;
+  for (const Rational& x : p) h = hash_number(h, x);
+  return h;
+}
+
 std::uint64_t corner_hash(const FaceView& f) {
   std::uint64_t h = 0;  // a sum: the order of the corners does not matter
   for (const unsigned x : {0u, 1u})
-    for (const unsigned y : {0u, 1u}) h += mixed(hash_of_point(corner_of(f, x, y)));
+    for (const unsigned y : {0u, 1u}) h += mixed(point_hash(corner_of(f, x, y)));
   return h;
 }
 
@@ -214,7 +215,7 @@ std::uint64_t inner_hash(const FaceView& f) {
   std::uint64_t h = 0;
   const auto add = [&](const Rational& u, const Rational& v) {
     const auto p = point(surface, {u, v}).value();
-    h += mixed(hash_of_point({p[0], p[1], p[2]}));
+    h += mixed(point_hash({p[0], p[1], p[2]}));
   };
   add(half, half);
   for (const Rational& u : {a, Rational(1) - a})

@@ -6,7 +6,7 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<Command, 16> kCommands = {{
+constexpr std::array<Command, 17> kCommands = {{
     {"certify", "decide whether models bound solids, and prove it", declare_certify},
     {"info", "list what is in mesh and spline files", declare_info},
     {"inspect", "list the elements of volumes and what they share", declare_inspect},

@@ -192,8 +192,8 @@ constexpr std::array<PatchExplanation, 16> kExplanations = {{
       "The map of a volume keeps the orientation of space at one point of its domain and reverses "
       "it at another: its Jacobian determinant has both signs. Such a volume is not mapped one to "
       "one, whatever its boundary faces do. The message has the parameters of both points. Looked "
-      "for at the corners, in the middle, and at 27 points of each polynomial piece: that nothing "
-      "is found there proves nothing.",
+      "for at the corners, in the middle, at 27 points of each polynomial piece, and where the "
+      "coefficients of the determinant leave its sign open.",
       "A corner that was pulled too far into the volume, control points in the wrong order, a "
       "volume that was swept or ruled past itself.",
       "Move control points until the determinant has one sign; near the two points the net of "

@@ -8,6 +8,7 @@ import re
 import subprocess
 import sys
 import unittest
+from fractions import Fraction
 
 from certify_patches_test import UNIT, block, document, surface
 from support import BIN, CHECKER_PY, DATA, INVALID, ROOT, VALID, Folder, run
@@ -267,6 +268,17 @@ class CertifyItd(Folder):
         one = self.certify(loose)
         self.assertEqual((one["verdict"], one["copy"]["what"], one["copy"]["of_volumes"], one["by_boundary_faces"]),
                          ("VALID", "its 1 volume", False, False))
+
+    def test_a_fold_between_the_points_that_are_tried_is_found_by_the_signs_of_the_determinant(self):
+        """det J is (u - 1/5)(u - 3/10) up to a factor: negative between these, where no corner and no middle lies."""
+        net = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 6, -13, 43)]
+        one = self.certify("[TRIVAR BEZIER 4 2 2 E3 %s]" % "".join("[%d %d %d]" % p for p in net))
+        self.assertEqual((one["verdict"], one["certificate"]["checked"]), ("INVALID", True))
+        (defect,) = one["defects"]
+        positive, negative = [Fraction(place["parameters"][0]) for place in defect["fold"]["places"]]
+        self.assertEqual(defect["code"], "volume-folded")
+        self.assertLess((negative - Fraction(1, 5)) * (negative - Fraction(3, 10)), 0)
+        self.assertGreater((positive - Fraction(1, 5)) * (positive - Fraction(3, 10)), 0)
 
     def test_cells_that_may_be_torn_are_not_valid_by_their_faces(self):
         """Along u a double knot of degree 1; the middle is pulled through the wall w = 0."""

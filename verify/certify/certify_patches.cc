@@ -349,7 +349,7 @@ Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOp
   if (auto folded = certify_fold(file, options)) return std::move(*folded);
   std::optional<VModelAnswer> cells;
   if (!options.with_collar) cells = certify_vmodel(file, options);
-  if (cells && cells->certified.verdict == Verdict::kValid) return std::move(cells->certified);
+  if (cells && cells->certified.verdict != Verdict::kUndecided) return std::move(cells->certified);
   Result<std::optional<StandIn>> made = stand_in_of(file);
   if (!made) {
     if (cells) return std::move(cells->certified);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verify/certify/fold_certifier.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -80,9 +81,17 @@ Certified certified_fold(const SplineFile& file, const VolumeFold& fold,
   return out;
 }
 
+// Whether fractions of pieces are as short as bodies hold them.
+bool has_short_numbers(const FoldPlace& place) {
+  return std::all_of(place.at.begin(), place.at.end(), [](const Rational& t) {
+    return std::max(t.numerator().bit_length(), t.denominator().bit_length()) < 63;
+  });
+}
 bool can_be_certified(const SplineModel& model, const VolumeFold& fold) {
   const auto& volume = std::get<ExactVolume>(model.entities[fold.entity].shape);
-  return fits_certificate(volume, fold.places[0]) && fits_certificate(volume, fold.places[1]);
+  return std::all_of(fold.places.begin(), fold.places.end(), [&](const FoldPlace& place) {
+    return has_short_numbers(place) && fits_certificate(volume, place);
+  });
 }
 
 }  // namespace
@@ -92,9 +101,14 @@ std::optional<Certified> certify_fold(const SplineFile& file, const CertifyOptio
   internal::enter(Phase::kDeciding, options);
   const std::optional<VolumeFold> fold = find_fold(file.model);
   if (!fold) return std::nullopt;
+  return certify_fold_at(file, *fold, options);
+}
+
+std::optional<Certified> certify_fold_at(const SplineFile& file, const VolumeFold& fold,
+                                         const CertifyOptions& options) {
   const std::optional<VolumeSubject> subject = volume_subject_of(file);
-  if (!subject || !can_be_certified(subject->file(file).model, *fold)) return std::nullopt;
-  Certified out = certified_fold(subject->file(file), *fold, options);
+  if (!subject || !can_be_certified(subject->file(file).model, fold)) return std::nullopt;
+  Certified out = certified_fold(subject->file(file), fold, options);
   out.copy = subject->certified_copy();
   return out;
 }

@@ -5,6 +5,7 @@
 
 #include "io/splines/read_splines.h"
 #include "verify/certify/certify.h"
+#include "verify/certify/volume_fold.h"
 
 namespace veritope {
 
@@ -14,5 +15,10 @@ namespace veritope {
 /// Nothing for a file with other entities than volumes in space, one whose numbers exceed the limits of certificates,
 /// and one with a volume that may be torn at an inner knot.
 std::optional<Certified> certify_fold(const SplineFile& file, const CertifyOptions& options);
+
+/// The same about two points that are known. Nothing if their numbers are too long. REQUIRES a file that has only
+/// volumes, and a fold of one of them.
+std::optional<Certified> certify_fold_at(const SplineFile& file, const VolumeFold& fold,
+                                         const CertifyOptions& options);
 
 }  // namespace veritope

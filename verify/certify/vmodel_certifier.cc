@@ -13,6 +13,7 @@
 #include "verify/certify/certify_kinds_internal.h"
 #include "verify/certify/exact_volume.h"
 #include "verify/certify/file_patches.h"
+#include "verify/certify/fold_certifier.h"
 #include "verify/certify/parameter_text.h"
 #include "verify/certify/refutation_finding.h"
 #include "verify/certify/star_box_certifier.h"
@@ -85,6 +86,34 @@ Finding finding_of(const JacobianFinding& f) {
   return out;
 }
 
+// A place strictly inside of a piece between knots.
+FoldPlace fold_place(const VVolume& cell, const JacobianPlace& place) {
+  FoldPlace out;
+  for (std::size_t a = 0; a < 3; ++a) {
+    std::vector<Rational> knots(cell.axis(a).knots.begin(), cell.axis(a).knots.end());
+    knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+    const auto after = std::upper_bound(knots.begin() + 1, knots.end() - 1, place.at[a]);
+    out.piece[a] = static_cast<std::uint64_t>(after - knots.begin()) - 1;
+    out.at[a] = (place.at[a] - *(after - 1)) / (*after - *(after - 1));
+  }
+  return out;
+}
+
+std::optional<VolumeFold> fold_among(const VModel& model,
+                                     const std::vector<JacobianFinding>& findings) {
+  for (const JacobianFinding& f : findings) {
+    if (f.kind != JacobianFinding::Kind::kFolded || f.places.size() != 2) continue;
+    const VVolume& cell = model.cell(f.cell);
+    VolumeFold out;
+    out.entity = f.cell;
+    const bool is_first_positive = f.places[0].sign == Sign::kPositive;
+    for (std::size_t i = 0; i < 2; ++i)
+      out.places[i] = fold_place(cell, f.places[is_first_positive ? i : 1 - i]);
+    return out;
+  }
+  return std::nullopt;
+}
+
 class VModelCertification {
  public:
   VModelCertification(const SplineFile& file, const CertifyOptions& options)
@@ -114,7 +143,10 @@ class VModelCertification {
     VModelWork work(*model_, file_.bytes);
     if (auto finding = work.of_pieces()) return undecided(std::move(*finding));
     const VDeterminants determinants = decide_determinants(*model_, {options_.jobs});
-    if (!determinants.is_proved()) return undecided(finding_of(determinants.findings.front()));
+    if (!determinants.is_proved()) {
+      fold_ = fold_among(*model_, determinants.findings);
+      return undecided(finding_of(determinants.findings.front()));
+    }
     if (auto finding = work.of_trees(determinants)) return undecided(std::move(*finding));
     has_proved_cells_ = true;
     return decide_boundary(determinants);
@@ -126,7 +158,9 @@ class VModelCertification {
     out_.findings.assign(1, std::move(finding));
     return answer();
   }
-  VModelAnswer answer() { return {std::move(out_), std::move(border_), has_proved_cells_}; }
+  VModelAnswer answer() {
+    return {std::move(out_), std::move(border_), has_proved_cells_, std::move(fold_)};
+  }
 
   std::optional<Finding> left_handed() const {
     const auto& cells = model_->left_handed();
@@ -271,6 +305,7 @@ class VModelCertification {
   const VModel* model_ = nullptr;
   std::vector<VFaceNumber> border_;
   bool has_proved_cells_ = false;
+  std::optional<VolumeFold> fold_;
 };
 
 }  // namespace
@@ -281,6 +316,8 @@ std::optional<VModelAnswer> certify_vmodel(const SplineFile& file, const Certify
   if (!subject) return std::nullopt;
   VModelAnswer out = VModelCertification(subject->file(file), options).run();
   out.certified.copy = subject->certified_copy();
+  if (out.fold)
+    if (auto folded = certify_fold_at(file, *out.fold, options)) out.certified = std::move(*folded);
   return out;
 }
 

@@ -7,15 +7,17 @@
 
 #include "io/splines/read_splines.h"
 #include "verify/certify/certify.h"
+#include "verify/certify/volume_fold.h"
 
 namespace veritope {
 
 struct VModelAnswer {
-  /// VALID with its certificate (vmodel-1), if the file's volumes are mapped one to one and bound a solid; or UNDECIDED
-  /// with the reason, cell and place named.
+  /// VALID with its certificate (vmodel-1), if the file's volumes are mapped one to one and bound a solid; INVALID with
+  /// that of a fold; or UNDECIDED with the reason, cell and place named.
   Certified certified;
   std::vector<VFaceNumber> border;  ///< the faces that are neither glued nor collapsed, ascending
   bool has_proved_cells = false;    ///< what is not decided, if anything, is the boundary
+  std::optional<VolumeFold> fold;   ///< of a cell whose determinant was found to have both signs
 };
 
 /// kAuto reverses left-handed cells. Nothing for a file with other entities than volumes in space, or where no

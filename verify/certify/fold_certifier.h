@@ -16,8 +16,8 @@ namespace veritope {
 /// and one with a volume that may be torn at an inner knot.
 std::optional<Certified> certify_fold(const SplineFile& file, const CertifyOptions& options);
 
-/// INVALID with its certificate about two points that are known. Nothing if their numbers are too long. REQUIRES a file with only
-/// volumes, and a fold of one of them.
+/// INVALID with its certificate about two points that are known. Nothing if their numbers are too long. REQUIRES a file
+/// with only volumes, and a fold of one of them.
 std::optional<Certified> certify_fold_at(const SplineFile& file, const VolumeFold& fold,
                                          const CertifyOptions& options);
 

@@ -98,7 +98,7 @@ class Installation(unittest.TestCase):
             checker = self.prefix / "share" / "veritope" / "veritope_check.py"
             self.succeed(sys.executable, "-I", checker, EXAMPLES / name, certificate)
         volume, certificate = ROOT / "tests" / "models" / "splines" / "two_cubes.mesh", self.folder / "volume.cert"
-        self.assertEqual(self.succeed(program, volume, certificate).splitlines()[0], "VALID star-box-1")
+        self.assertEqual(self.succeed(program, volume, certificate).splitlines()[0], "VALID vmodel-1")
         self.succeed(self.prefix / "bin" / "veritope-check", volume, certificate)
         self.succeed(sys.executable, "-I", checker, volume, certificate)
 

@@ -650,7 +650,7 @@ void expect_folded(const Certified& c, const std::string& words) {
   EXPECT_EQ(c.verdict, Verdict::kInvalid);
   EXPECT_EQ(c.claim, "volume-folded-1");
   ASSERT_EQ(c.findings.size(), 1u);
-  EXPECT_EQ(c.findings[0].code, "volume-folded");
+  EXPECT_EQ(c.findings[0].code, "folded");
   EXPECT_NE(c.findings[0].message.find(words), std::string::npos) << c.findings[0].message;
   EXPECT_EQ(c.findings[0].place.parts.size(), 2u);
   EXPECT_TRUE(c.findings[0].witness.fold);

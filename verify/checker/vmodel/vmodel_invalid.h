@@ -67,5 +67,5 @@ struct CellFace {
 };
 // Whether the faces have equal corners under a symmetry. Their cells are not used.
 bool may_be_equal(const CellFace& f, const CellFace& g);
-// The lowest symmetry under which the faces are equal; -1 if there is none. REQUIRES that neither is collapsed.
+// The lowest symmetry under which the faces are equal, or -1. REQUIRES that neither is collapsed.
 int equal_under(const CellFace& f, const CellFace& g, Units* units);

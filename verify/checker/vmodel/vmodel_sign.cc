@@ -108,8 +108,7 @@ class Determinant {
     for (size_t i = 0; i < sum.d.size(); i += size_t(width_))
       coefficients_.push_back(Big::of(&sum.d[i], width_));
   }
-  const size_t* n() const { return n_; }
-  std::vector<Big>& coefficients() { return coefficients_; }  // times their binomials
+  std::vector<Big> take() { return std::move(coefficients_); }  // times their binomials
 
  private:
   static Tri minor_of(const std::vector<Tri>& a, const std::vector<Tri>& b, int i, int j) {
@@ -253,6 +252,11 @@ class SignTest {
 
 }  // namespace
 
+std::vector<Big> coefficients_of_n(const VPiece& piece, Units* units) {
+  const uint64_t limbs = 2 + uint64_t(piece.bits) / 32, doubled = piece.times(2);
+  units->add(2 + (piece.is_rational ? doubled : piece.count()) * doubled * limbs * limbs / 256);
+  return Determinant(piece).take();
+}
 void check_determinant(const VPiece& piece, const VEntry& entry, bool is_reversed,
                        const bool* may_vanish, Units* units) {
   const Ends whole = {{{true, true}, {true, true}, {true, true}}};
@@ -268,11 +272,10 @@ void check_determinant(const VPiece& piece, const VEntry& entry, bool is_reverse
       require(other == zero || (entry.zeros >> other & 1) == 0 || !is_part(zero, other, whole),
               "V2", "a zero is a part of another one");
   }
-  const uint64_t limbs = 2 + uint64_t(piece.bits) / 32, doubled = piece.times(2);
   units->id = "V2";
-  units->add(2 + (piece.is_rational ? doubled : piece.count()) * doubled * limbs * limbs / 256);
-  Determinant n(piece);
-  std::vector<Big>& c = n.coefficients();
+  std::vector<Big> c = coefficients_of_n(piece, units);
   for (size_t i = 0; is_reversed && i < c.size(); ++i) c[i] = -c[i];
-  SignTest(piece, entry, n.n(), units).run(std::move(c));
+  size_t n[3];
+  for (size_t a = 0; a < 3; ++a) n[a] = (piece.is_rational ? 4 : 3) * (piece.n[a] - 1);
+  SignTest(piece, entry, n, units).run(std::move(c));
 }

@@ -71,9 +71,11 @@ Json vmodel_defect_json(const Finding& f) {
           {"message", f.message},
           {"cells", places_json(f, [](const CellPlace& p) { return Json(p.cell); })},
           {"parts", places_json(f, [](const CellPlace& p) { return Json(p.part); })},
-          {"parameters", places_json(f, [](const CellPlace& p) {
-             return p.parameters ? exact_json(*p.parameters) : Json(nullptr);
-           })},
+          {"parameters", places_json(f,
+                                     [](const CellPlace& p) {
+                                       return p.parameters ? exact_json(*p.parameters)
+                                                           : Json(nullptr);
+                                     })},
           {"boxes", places_json(f, box_of_parameters)},
           {"point", f.witness.point ? exact_json(f.witness.point->at) : Json(nullptr)},
           {"fold", fold_json(f)}};
@@ -174,7 +176,7 @@ void put_patch_facts(const FileReport& report, Json& out) {
   out["place"] = box_json(report.fault ? report.fault->place.box : std::nullopt);
   out["counts"] = counts_json(report, f);
   out["defects"] = Json::array();
-  for (const Finding& d : report.defects) 
+  for (const Finding& d : report.defects)
     out["defects"].push_back(f.vmodel && !d.witness.cells.empty() ? vmodel_defect_json(d)
                                                                   : patch_defect_json(d));
   out["reasons"] = Json::array();

@@ -67,7 +67,7 @@ struct FoldPoint {
 struct CellPlace {
   std::uint64_t cell = 0;
   std::string part;  ///< "u0", "u0v1", "u0v1w0": a face, an edge, a corner; empty: none of them
-  std::optional<std::array<Rational, 3>> parameters;           ///< of the file
+  std::optional<std::array<Rational, 3>> parameters;          ///< of the file
   std::optional<std::array<std::array<Rational, 2>, 3>> box;  ///< of parameters
 };
 

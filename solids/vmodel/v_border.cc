@@ -60,7 +60,8 @@ std::optional<std::size_t> BorderPatches::cell_corner(PatchCorner corner) const 
   const Patch& patch = complex_.patch(corner.patch);
   const std::size_t n = patch.origin().number;
   const auto span = spans_of(patch);
-  static constexpr std::array<std::array<std::size_t, 2>, 4> kEnds = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  static constexpr std::array<std::array<std::size_t, 2>, 4> kEnds = {
+      {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   const std::size_t face = faces_.faces[n] % 6;
   std::size_t out = face % 2 << face / 2;
   for (std::size_t k = 0; k < 2; ++k) {

@@ -41,8 +41,7 @@ std::optional<PartOnSpan> on_span(const BorderPatches& border, const SidePart& p
     return std::nullopt;
   PartOnSpan out;
   out.where = *where;
-  const std::vector<Rational> knots =
-      breaks_of(border.model().cell(where->cell).axis(where->axis));
+  const std::vector<Rational> knots = breaks_of(border.model().cell(where->cell).axis(where->axis));
   const Rational& lower = std::min(where->ends[0], where->ends[1]);
   const auto after = std::upper_bound(knots.begin() + 1, knots.end() - 1, lower);
   out.span = static_cast<std::size_t>(after - knots.begin()) - 1;
@@ -132,8 +131,8 @@ std::optional<VCrowdedCurve> among_equal_sides(const BorderPatches& border) {
     if (sides.size() < 3) continue;
     for (const PatchSide& side : sides)
       if (border.cell_side(side))
-        parts.push_back({side, complex.travel(side) == complex.travel(sides.front()) ? kForward
-                                                                                    : kBackward});
+        parts.push_back(
+            {side, complex.travel(side) == complex.travel(sides.front()) ? kForward : kBackward});
     for (std::size_t i = 0; i + 2 < parts.size(); ++i)
       if (auto found = crowded_by(border, {parts[i], parts[i + 1], parts[i + 2]})) return found;
   }
@@ -167,7 +166,8 @@ class PartSearch {
         const std::uint32_t vertex = vertex_of(side, end);
         if (is_seen[vertex]) continue;
         is_seen[vertex] = true;
-        if (auto found = at(vertex, point_at(curve_of(e), Rational(end == 0 ? 0 : 1)))) return found;
+        if (auto found = at(vertex, point_at(curve_of(e), Rational(end == 0 ? 0 : 1))))
+          return found;
       }
     return std::nullopt;
   }
@@ -245,9 +245,8 @@ class PartSearch {
     for (const PatchSide& side : sides) {
       if (!border_.cell_side(side)) continue;
       const bool is_same = complex_.travel(side) == complex_.travel(sides.front());
-      to.push_back({side, is_same ? at
-                                  : std::array<Rational, 2>{Rational(1) - at[0],
-                                                            Rational(1) - at[1]}});
+      to.push_back(
+          {side, is_same ? at : std::array<Rational, 2>{Rational(1) - at[0], Rational(1) - at[1]}});
     }
   }
   std::optional<VCrowdedCurve> crowd(std::uint32_t a, const std::array<Rational, 2>& on_a,
@@ -281,8 +280,8 @@ class PartSearch {
       }
     const auto rounded = nearest_double(curve);
     if (!rounded) return out;
-    const double t = nearest_parameter(rounded.value(), {nearest_double(p[0]), nearest_double(p[1]),
-                                                         nearest_double(p[2])});
+    const double t = nearest_parameter(
+        rounded.value(), {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])});
     const Rational at = Rational::from_double(t), margin = Rational::power_of_two(-26);
     out.push_back(simplest_between(at - margin, at + margin));
     return out;

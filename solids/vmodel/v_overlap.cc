@@ -88,8 +88,8 @@ bool holds_preimage(const VModel& model, const VPreimage& preimage, const Triple
   const Grid<3> grid = piece.grid();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto& y = preimage.rows[axis];
-    const Rational of_q =
-        Rational(Integer(y[0])) * q[0] + Rational(Integer(y[1])) * q[1] + Rational(Integer(y[2])) * q[2];
+    const Rational of_q = Rational(Integer(y[0])) * q[0] + Rational(Integer(y[1])) * q[1] +
+                          Rational(Integer(y[2])) * q[2];
     for (std::size_t i = 0; i < grid.count(); ++i) {
       const std::size_t k = grid.index_of(i)[axis];
       if (k != 0 && k + 1 != grid.size[axis]) continue;
@@ -163,7 +163,8 @@ std::optional<VOverlap> find_collapsed_line(const VModel& model, std::uint32_t c
     const KnotAxis<Rational>& axis = model.cell(cell).axis(a);
     Triple other = middle;
     other[a] = (middle[a] + axis.domain_end()) / Rational(2);
-    if (box[a][0] < box[a][1] && middle[a] < box[a][1]) other[a] = (middle[a] + box[a][1]) / Rational(2);
+    if (box[a][0] < box[a][1] && middle[a] < box[a][1])
+      other[a] = (middle[a] + box[a][1]) / Rational(2);
     out.point = place_at(model, cell, other);
     if (is_overlap(model, out)) return out;
   }

@@ -247,7 +247,8 @@ class OverlapSearch {
       const auto t = solve(s.map, q, {kBegins[i % 3], kBegins[i / 3 % 3], kBegins[i / 9]});
       if (!t) continue;
       double distance = 0;
-      for (std::size_t a = 0; a < 3; ++a) distance = std::max(distance, std::abs((*t)[a] - own_t[a]));
+      for (std::size_t a = 0; a < 3; ++a)
+        distance = std::max(distance, std::abs((*t)[a] - own_t[a]));
       if (is_own && distance < 1e-6) continue;
       if (auto out = proved(inside, s, *t)) return out;
     }
@@ -303,10 +304,10 @@ class OverlapSearch {
     for (const RoundedSpan& s : spans_)
       for (std::size_t i = 0; i < 64; ++i) {
         if (solves_ >= options_.max_solves) return std::nullopt;
-        const VPlace place{s.cell,
-                           s.span,
-                           {dyadic(kAlong[i % 4], 10), dyadic(kAlong[i / 4 % 4], 10),
-                            dyadic(kAlong[i / 16], 10)}};
+        const VPlace place{
+            s.cell,
+            s.span,
+            {dyadic(kAlong[i % 4], 10), dyadic(kAlong[i / 4 % 4], 10), dyadic(kAlong[i / 16], 10)}};
         if (auto found = try_at(place, true)) return found;
       }
     return std::nullopt;

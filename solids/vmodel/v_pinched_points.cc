@@ -29,8 +29,8 @@ std::vector<Corner> cell_corners(const BorderPatches& border) {
       if (!corner) continue;
       const VFaceNumber face = border.face_of(p);
       const VVolume& cell = border.model().cell(face / 6);
-      out.push_back({point_hash(v_corner_point(cell, *corner)), face / 6,
-                     complex.vertex({p, c}), *corner, face});
+      out.push_back({point_hash(v_corner_point(cell, *corner)), face / 6, complex.vertex({p, c}),
+                     *corner, face});
     }
   std::sort(out.begin(), out.end(), [](const Corner& a, const Corner& b) {
     return std::pair(a.hash, a.vertex) < std::pair(b.hash, b.vertex);

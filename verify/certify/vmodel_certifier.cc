@@ -165,9 +165,9 @@ class VModelCertification {
     internal::enter(Phase::kCertifying, options_);
     out_.verdict = Verdict::kInvalid;
     out_.findings.assign(1, std::move(proof.finding));
-    out_.certificate =
-        certificate::encode(subject_of(file_, options_.tool),
-                            {static_cast<std::uint32_t>(model_->num_cells()), std::move(proof.certified)});
+    out_.certificate = certificate::encode(
+        subject_of(file_, options_.tool),
+        {static_cast<std::uint32_t>(model_->num_cells()), std::move(proof.certified)});
     out_.claim = certificate::kVModelInvalidClaim;
     return answer();
   }
@@ -214,8 +214,7 @@ class VModelCertification {
       auto proof = refuter().left_handed(c);
       if (!proof) continue;
       if (cells.size() > 1)
-        proof->finding.message +=
-            "; " + std::to_string(cells.size()) + " cells are left-handed";
+        proof->finding.message += "; " + std::to_string(cells.size()) + " cells are left-handed";
       return invalid(std::move(*proof));
     }
     Finding out = v_reason("left-handed", name_of_cell(cells.front()) +
@@ -291,7 +290,8 @@ class VModelCertification {
   void add_hints(const StarBoxEntity& entity, const PatchRectangle& sheet,
                  std::vector<VOverlapOptions::Hint>& to) const {
     const VolumeFace& face = *entity.face;
-    const std::size_t columns = entity.breaks[1].size() - 1, number = sheet.patch - entity.first_patch;
+    const std::size_t columns = entity.breaks[1].size() - 1,
+                      number = sheet.patch - entity.first_patch;
     const std::array<std::size_t, 2> span = {number / columns, number % columns};
     const auto cell = static_cast<std::uint32_t>(face.volume);
     VOverlapOptions::Hint hint{cell, {}};
@@ -303,7 +303,8 @@ class VModelCertification {
       const Rational step = Rational::power_of_two(-halvings);
       const KnotAxis<Rational>& across = model_->cell(cell).axis(face.axis);
       const Rational depth = (across.domain_end() - across.domain_begin()) * step;
-      hint.at[face.axis] = face.end == 0 ? across.domain_begin() + depth : across.domain_end() - depth;
+      hint.at[face.axis] =
+          face.end == 0 ? across.domain_begin() + depth : across.domain_end() - depth;
       for (const int side : {0, 1, 2, 3, 4}) {
         for (std::size_t k = 0; k < 2; ++k) {
           const Rational &lo = entity.breaks[k][span[k]], &hi = entity.breaks[k][span[k] + 1];

@@ -18,7 +18,8 @@ constexpr std::array<std::size_t, 3> kAllAxes = {0, 1, 2};
 std::array<Rational, 3> corner_of_face(const VModel& model, VFaceNumber f, unsigned i, unsigned j) {
   const std::size_t axis = f % 6 / 2;
   const auto [p, q] = v_face_axes(axis);
-  return v_corner_point(model.cell(f / 6), (f % 2) << axis | std::size_t{i} << p | std::size_t{j} << q);
+  return v_corner_point(model.cell(f / 6),
+                        (f % 2) << axis | std::size_t{i} << p | std::size_t{j} << q);
 }
 
 // What has to be known of an interval of an axis once it is counted.
@@ -104,8 +105,8 @@ void VInvalidWork::add_box(const VBox& box) {
   add_cut(model_.cell(box.cell), kAllAxes, parameters_of(model_, box), true, false);
 }
 void VInvalidWork::add_flat(std::uint32_t cell, const std::array<std::size_t, 3>& span) {
-  const std::array<Ends, 3> whole = {Ends{Rational(0), Rational(1)}, {Rational(0), Rational(1)},
-                                     {Rational(0), Rational(1)}};
+  const std::array<Ends, 3> whole = {
+      Ends{Rational(0), Rational(1)}, {Rational(0), Rational(1)}, {Rational(0), Rational(1)}};
   add_cut(model_.cell(cell), kAllAxes, parameters_of(model_, VBox{cell, span, whole}), true, true);
 }
 
@@ -166,8 +167,8 @@ void VInvalidWork::add_comparison(VFaceNumber f, VFaceNumber g) {
     bool fits_corners = true;
     for (unsigned i = 0; i < 4 && fits_corners; ++i) {
       const auto to = v_symmetry_image(s, {i & 1, i >> 1});
-      fits_corners = corner_of_face(model_, f, i & 1, i >> 1) ==
-                     corner_of_face(model_, g, to[0], to[1]);
+      fits_corners =
+          corner_of_face(model_, f, i & 1, i >> 1) == corner_of_face(model_, g, to[0], to[1]);
     }
     if (!fits_corners) continue;
     // The breaks of both, brought to [0, 1] on the parameters of g.

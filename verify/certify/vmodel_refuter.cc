@@ -36,8 +36,8 @@ Finding v_defect(const char* code, std::string message, std::vector<CellPlace> p
     part.entity = place.cell;
     part.is_of_volume = true;
     for (std::size_t a = 0; a < 3 && (place.box || place.parameters); ++a) {
-      const Range range = place.box ? (*place.box)[a]
-                                    : Range{(*place.parameters)[a], (*place.parameters)[a]};
+      const Range range =
+          place.box ? (*place.box)[a] : Range{(*place.parameters)[a], (*place.parameters)[a]};
       part.parameters.push_back({round_down(range[0]), round_up(range[1])});
     }
     out.place.parts.push_back(std::move(part));
@@ -53,14 +53,13 @@ Finding v_defect(const char* code, std::string message, std::vector<CellPlace> p
 }
 
 std::optional<certificate::UnitFraction> short_fraction(const Rational& t) {
-  if (std::max(t.numerator().bit_length(), t.denominator().bit_length()) >= 63)
-    return std::nullopt;
+  if (std::max(t.numerator().bit_length(), t.denominator().bit_length()) >= 63) return std::nullopt;
   return certificate::UnitFraction{t.numerator().low_bits(), t.denominator().low_bits()};
 }
 // Both over one power of two.
 std::optional<certificate::UnitInterval> short_interval(const Range& at) {
-  const std::uint64_t bits = std::max(at[0].denominator().bit_length(),
-                                      at[1].denominator().bit_length()) - 1;
+  const std::uint64_t bits =
+      std::max(at[0].denominator().bit_length(), at[1].denominator().bit_length()) - 1;
   if (bits > 62) return std::nullopt;
   certificate::UnitInterval out{bits, 0, 0};
   for (std::size_t e = 0; e < 2; ++e) {
@@ -116,14 +115,17 @@ Triple corner_parameters(const VVolume& cell, std::size_t corner) {
   return out;
 }
 
-// The cells that are named, each once, as "cells 3 and 4".
-std::string cells_text(const std::vector<CellPlace>& places) {
-  std::vector<std::uint64_t> cells;
-  for (const CellPlace& p : places)
-    if (std::find(cells.begin(), cells.end(), p.cell) == cells.end()) cells.push_back(p.cell);
-  std::string out = cells.size() == 1 ? "cell " : "cells ";
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    out += (i == 0 ? "" : i + 1 == cells.size() ? " and " : ", ") + std::to_string(cells[i]);
+// The parts that are named, each once: "edge u1v1 of cell 0 and edge u0v0 of cell 1".
+std::string parts_text(const char* what, const std::vector<CellPlace>& places) {
+  std::vector<std::string> names;
+  for (const CellPlace& p : places) {
+    std::string name = std::string(what) + " " + p.part + " of " + cell_text(p.cell);
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(std::move(name));
+  }
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
   return out;
 }
 
@@ -145,14 +147,13 @@ std::optional<certificate::CellPoint> VModelRefuter::certified_point(const VPlac
 std::optional<VRefutation> VModelRefuter::flat(const JacobianFinding& piece) const {
   if (piece.kind != JacobianFinding::Kind::kFlat) return std::nullopt;
   Triple middle;
-  for (std::size_t a = 0; a < 3; ++a)
-    middle[a] = (piece.box[a][0] + piece.box[a][1]) / Rational(2);
+  for (std::size_t a = 0; a < 3; ++a) middle[a] = (piece.box[a][0] + piece.box[a][1]) / Rational(2);
   const VPlace in = place_at(model_, piece.cell, middle);
   VInvalidWork work(model_, file_.bytes);
   work.add_flat(piece.cell, in.span);
   if (!work.fits()) return std::nullopt;
-  const std::array<Range, 3> whole = {Range{Rational(0), Rational(1)}, {Rational(0), Rational(1)},
-                                      {Rational(0), Rational(1)}};
+  const std::array<Range, 3> whole = {
+      Range{Rational(0), Rational(1)}, {Rational(0), Rational(1)}, {Rational(0), Rational(1)}};
   const auto box = parameters_of(model_, VBox{piece.cell, in.span, whole});
   return VRefutation{
       v_defect("flat",
@@ -174,8 +175,10 @@ std::optional<VRefutation> VModelRefuter::left_handed(std::uint32_t cell) const 
     auto point = certified_point(place);
     if (!point) continue;
     return VRefutation{v_defect("left-handed",
-                                cell_text(cell) + " is left-handed: its Jacobian determinant is "
-                                                  "negative at " + text_of_point(at),
+                                cell_text(cell) +
+                                    " is left-handed: its Jacobian determinant is "
+                                    "negative at " +
+                                    text_of_point(at),
                                 {{cell, {}, at, {}}}, point_of(model_, place)),
                        certificate::LeftHandedCell{std::move(*point)}};
   }
@@ -188,7 +191,8 @@ std::optional<VRefutation> VModelRefuter::singular(const VSingularity& where) co
   for (std::size_t a = 0; a < 3; ++a) at[a] = (where.box[a][0] + where.box[a][1]) / Rational(2);
   const VPlace right = place_at(model_, cell, at);
   const auto& volume = std::get<ExactVolume>(file_.model.entities[cell].shape);
-  for (unsigned left = 0; left < 8; ++left) {  // at an inner knot the zero may be that from the left
+  for (unsigned left = 0; left < 8;
+       ++left) {  // at an inner knot the zero may be that from the left
     VPlace place = right;
     bool is_place = true;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -267,18 +271,19 @@ std::optional<VRefutation> VModelRefuter::crowded(const VCrowdedCurve& curve) co
   work.add_comparisons(faces, nullptr);
   work.add_cells_near(curve.middle);
   if (!work.fits()) return std::nullopt;
-  std::string message = "more than two sides of faces that are not glued pass a curve of " +
-                        cells_text(places) + " at " + text_of_point(curve.middle);
-  return VRefutation{v_defect("curve-nonmanifold", std::move(message), std::move(places),
-                              curve.middle),
-                     std::move(out)};
+  std::string message = parts_text("edge", places) + " are one curve at " +
+                        text_of_point(curve.middle) +
+                        ", where more than two faces that are not glued meet";
+  return VRefutation{
+      v_defect("curve-nonmanifold", std::move(message), std::move(places), curve.middle),
+      std::move(out)};
 }
 
 std::optional<VRefutation> VModelRefuter::pinched(const VPinchedPoint& point) const {
   std::vector<CellPlace> places;
   for (const auto& c : point.corners)
-    places.push_back({c.cell, v_corner_name(c.corner),
-                      corner_parameters(model_.cell(c.cell), c.corner), {}});
+    places.push_back(
+        {c.cell, v_corner_name(c.corner), corner_parameters(model_.cell(c.cell), c.corner), {}});
   std::vector<VFaceNumber> faces;
   for (std::size_t c = 0; c < model_.num_cells(); ++c)
     for (std::size_t k = 0; k < 8; ++k) {
@@ -295,12 +300,11 @@ std::optional<VRefutation> VModelRefuter::pinched(const VPinchedPoint& point) co
   work.add_comparisons(faces, &point.at);
   work.add_cells_near(point.at);
   if (!work.fits()) return std::nullopt;
-  std::string message = "the boundary meets itself in one point, at corners of " +
-                        cells_text(places) + ": " + text_of_point(point.at);
-  return VRefutation{
-      v_defect("point-nonmanifold", std::move(message), std::move(places), point.at),
-      certificate::PinchedPoint{point.corners[0].cell,
-                                static_cast<std::uint8_t>(point.corners[0].corner)}};
+  std::string message = parts_text("corner", places) + " are one point, " +
+                        text_of_point(point.at) + ", at which the boundary meets itself";
+  return VRefutation{v_defect("point-nonmanifold", std::move(message), std::move(places), point.at),
+                     certificate::PinchedPoint{point.corners[0].cell,
+                                               static_cast<std::uint8_t>(point.corners[0].corner)}};
 }
 
 }  // namespace veritope

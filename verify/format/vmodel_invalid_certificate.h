@@ -65,8 +65,8 @@ struct PinchedPoint {
 };
 
 /// In the order of the page's kinds.
-using VModelInvalidFinding = std::variant<FlatCell, LeftHandedCell, SingularPoint, CellOverlap,
-                                          CrowdedCurve, PinchedPoint>;
+using VModelInvalidFinding =
+    std::variant<FlatCell, LeftHandedCell, SingularPoint, CellOverlap, CrowdedCurve, PinchedPoint>;
 struct VModelInvalidBody {
   std::uint32_t cells = 0;  ///< entities of the file
   VModelInvalidFinding finding;

@@ -71,8 +71,8 @@ std::string cells_text(const PinchedPoint& x) {
 }  // namespace
 
 std::string explain(const VModelInvalidBody& body, std::string_view claim, std::size_t) {
-  return "body: " + std::string(claim) + ", " + digits(body.cells) + " cells\nfinding: " +
-         std::string(name_of(body.finding)) + "\n" +
+  return "body: " + std::string(claim) + ", " + digits(body.cells) +
+         " cells\nfinding: " + std::string(name_of(body.finding)) + "\n" +
          std::visit([](const auto& finding) { return cells_text(finding); }, body.finding);
 }
 

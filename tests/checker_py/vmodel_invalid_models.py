@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Models of which vmodel-1 is false by construction, with true findings of each kind, and models that are valid: tests only."""
+import collections
 import functools
 from fractions import Fraction as Q
 from itertools import product
+from math import comb
 
 import model_texts as texts
+import vmodel_forge
 import vmodel_models as valid
 from vmodel_invalid_forge import WHOLE, Invalid
 from volume_folded_forge import bezier, cube, folded_inside, made_rational
@@ -62,7 +65,6 @@ def power(n):
     n = 4 so that the faces u = 0 and v = 0 meet."""
     def coefficient(i, j):
         """Of u^a v^b: C(i, a) C(j, b) / (C(n, a) C(n, b))."""
-        from math import comb
         x, y = Q(0), Q(0)
         for a in range(n + 1):
             b = n - a
@@ -229,3 +231,33 @@ def ring_of_cells(count=4, growth=0):
         return tuple(c * (1 + growth * n) for c in corners[n % 4])
     return [cube(lambda p, n=n: tuple((1 - p[0]) * (1 + 2 * p[1]) * a + p[0] * (1 + 2 * p[1]) * b for a, b in zip(
         corner(n), corner(n + 1))) + (p[2],)) for n in range(count)]
+
+
+# ---------------------------------------------------------------- arcs
+
+def sides_by_curve(maps):
+    """{curve: arcs}: whole spans of sides and their halves that are not collapsed. A curve is known by four of its points, in the tests'
+    own way."""
+    found = collections.defaultdict(list)
+    for cell, m in enumerate(maps):
+        net = m.all()
+        for face, side in product(range(6), range(4)):
+            along = vmodel_forge.OTHERS[face // 2][side // 2]
+            index = [None] * 3
+            index[face // 2], index[vmodel_forge.OTHERS[face // 2][1 - side // 2]] = face % 2, side % 2
+            line = [net[tuple(i if x is None else x * (n - 1) for x, n in zip(index, m.sizes))] for i in range(m.sizes[along])]
+            spans = sorted(set(m.knots[along]))
+            for k, (lo, hi) in enumerate(zip(spans, spans[1:])):
+                for part in ((0, 0, 1), (1, 0, 1), (1, 1, 2)):
+                    first, last = [lo + (hi - lo) * Q(n, 1 << part[0]) for n in part[1:]]
+                    points = [place_on(line, m, along, k, first + (last - first) * t) for t in (0, Q(1, 3), Q(2, 3), 1)]
+                    if points[0] != points[1]:
+                        found[min(tuple(points), tuple(points[::-1]))].append(arc(cell, face, side, (k, *part)))
+    return found
+
+
+def place_on(line, m, axis, span, t):
+    knots, p = m.knots[axis], m.degrees[axis]
+    k = max(i for i, x in enumerate(knots) if x == sorted(set(knots))[span])
+    q = vmodel_forge.blossom(line, knots, p, k, [t] * p)
+    return tuple(c / q[3] for c in q[:3])

@@ -16,7 +16,8 @@ import vmodel_invalid_forge as forge
 import vmodel_invalid_models as models
 import vmodel_models as valid
 from vmodel_invalid_forge import WHOLE, Invalid
-from vmodel_invalid_models import HALF, IDENTITY, arc, at
+from vmodel_invalid_lies import lies, negated
+from vmodel_invalid_models import HALF, IDENTITY, arc, at, sides_by_curve
 from volume_folded_forge import bezier, cube
 
 from veritope_checker import program as vc                # star_box_forge says where it is
@@ -25,110 +26,6 @@ from veritope_checker.vmodel import vmodel_equal, vmodel_invalid_check
 
 SCALE = int(os.environ.get("VT_TEST_SCALE", "1"))
 CONDITIONS = ("B2", "B3", "F1", "H1", "Z1", "O1", "O2", "O3", "O4", "C1", "C2", "C3", "V1", "P1", "P2")
-FIRST_HALF, LAST_HALF = (0, 1, 0, 1), (0, 1, 1, 2)
-
-
-def heavy_cube():
-    return valid.weighted(cube(), 3)
-
-
-def turned_about(y):
-    return y[1:] + y[:1]
-
-
-def negated(y):
-    return tuple(tuple(-c for c in row) for row in y)
-
-
-# ---------------------------------------------------------------- a lie for each clause, of which all else is right
-
-def lies():
-    """(what is wrong, the condition that rejects it, Invalid)"""
-    box = models.honest("overlapping cubes, a box")
-    irrational = models.honest("no rational parameters")
-    spiral = models.honest("a spiral at a knot")
-    edge = models.honest("two cubes at an edge")
-    (a, b, c), two = edge.parts, [cube(), models.unit_box(1, 0, 0)]
-    wedge = cube(lambda p: (p[0], p[0] * p[1], p[2]))
-    high = bezier((16, 1, 1), lambda u, v, w: (-u, v, w))
-    yield "degree 16", "B2", Invalid([high], "left-handed", at(0, HALF, HALF, HALF))
-    yield "degree 16 of another cell", "B2", Invalid(edge.maps + [high], edge.kind, *edge.parts)
-    for name in ("a mirrored cube", "a wedge at its edge", "a flat cell", "two cubes at a corner"):
-        true = models.honest(name)
-        yield "another number of cells", "B3", true.changed(values={"cells": len(true.maps) + 1})
-        yield "another finding", "B3", true.changed(values={"finding": "overlap"})
-    for cell in (cube(), heavy_cube(), wedge):
-        yield "no flat cell", "F1", Invalid([cell], "flat", 0, (0, 0, 0))
-    for span in (0, 2):
-        yield "no flat span", "F1", Invalid([models.flat_span()], "flat", 0, (0, 0, span))
-    yield "right-handed", "H1", Invalid([cube()], "left-handed", at(0, HALF, HALF, HALF))
-    yield "another cell", "H1", models.honest("a mirrored cube at its corner").changed(parts=(at(0, 0, 1, 0),))
-    yield "zero, not negative", "H1", Invalid([wedge], "left-handed", at(0, 0, HALF, HALF))
-    yield "forward at the end", "H1", models.honest("backward in the middle").changed(parts=(at(0, 1, HALF, HALF),))
-    yield "a hair from the edge", "Z1", Invalid([wedge], "singular", at(0, Q(1, 1 << 60), HALF, HALF))
-    yield "negative, not zero", "Z1", models.honest("a mirrored cube").changed(kind="singular", number=2)
-    yield "the flat span's begin from the other side", "Z1", Invalid([models.flat_span()], "singular", (0, ((0, 0), (0, 0), (0, 1))))
-    for axis, end in itertools.product(range(3), (0, 1)):
-        numbers = [Q(1, 3)] * 3
-        numbers[axis] = end
-        where = [0, 0, 0]
-        where[axis] = 2 * end - 1
-        across = list(numbers)
-        across[axis] = 1 - end
-        yield "A on a face", "O1", Invalid([cube(), models.unit_box(*where)], "overlap", at(0, *numbers), at(1, *across))
-    yield "A at the last knot", "O1", Invalid([models.spiral(), models.unit_box(0, 0, 1)], "overlap", (0, ((0, HALF), (0, HALF), (0, 1))),
-                                              (0, ((4, HALF), (0, HALF), (0, 1))))
-    yield "A is B", "O2", Invalid([cube()], "overlap", at(0, HALF, HALF, HALF), at(0, HALF, HALF, HALF))
-    yield "A is B in other terms", "O2", Invalid([cube()], "overlap", at(0, HALF, HALF, HALF), at(0, (2, 4), (3, 6), HALF))
-    yield "a knot from both sides", "O2", spiral.changed(parts=((0, ((0, 1), (0, HALF), (0, HALF))), (0, ((1, 0), (0, HALF), (0, HALF)))))
-    for middle in (Q(1, 2), Q(1, 4), Q(1, 8)):
-        yield "the box holds A", "O2", Invalid([cube()], "overlap", at(0, middle, HALF, HALF), (0, (WHOLE,) * 3), IDENTITY)
-    yield "an ulp away", "O3", models.honest("overlapping cubes").changed(parts=(at(0, *[Q(3, 4)] * 3), at(1, Q(1, 4), Q(1, 4), Q(1, 4) + Q(1, 1 << 52))))
-    for axis in range(3):
-        numbers = [Q(1, 4)] * 3
-        numbers[axis] = Q(1, 3)
-        yield "another coordinate", "O3", models.honest("overlapping cubes").changed(parts=(at(0, *[Q(3, 4)] * 3), at(1, *numbers)))
-    yield "opposite of the origin", "O3", Invalid([valid.mapped(cube(), lambda p: tuple(c - 2 for c in p)), models.unit_box(1, 1, 1)], "overlap",
-                                                  at(0, HALF, HALF, HALF), at(1, HALF, HALF, HALF))
-    for true in (box, irrational):
-        p, q, y = true.parts
-        for other in (turned_about(y), negated(y), (y[0], y[1], (0, 0, 0)), (y[0], y[0], y[2]), (y[1], y[0], y[2])):
-            yield "other rows", "O4", true.changed(parts=(p, q, other))
-    for axis, part in itertools.product(range(3), (LAST_HALF, (0, 3, 0, 1))):
-        parts = [FIRST_HALF] * 3
-        parts[axis] = part
-        yield "a box beside the point", "O4", box.changed(parts=(box.parts[0], (1, tuple(parts)), IDENTITY))
-        parts[axis] = (0, 2, 1, 2) if part == LAST_HALF else (0, 2, 0, 1)
-        yield "the point is on a face of the box", "O4", box.changed(parts=(box.parts[0], (1, tuple(parts)), IDENTITY))
-    for arcs in ((a, b, b), (a, a, c), (c, b, c)):
-        yield "an arc twice", "C1", edge.changed(parts=arcs)
-    yield "overlapping arcs", "C1", there_and_back()
-    yield "another arc", "C2", edge.changed(parts=(a, b, arc(1, 0, 3)))
-    for part in (FIRST_HALF, LAST_HALF):
-        yield "a part of the arc", "C2", edge.changed(parts=(a, b, arc(1, 0, 2, part)))
-        yield "parts of the arc", "C2", edge.changed(parts=((*a[:3], part), (*b[:3], part), c))
-    apexes = [arc(0, 2, 2), arc(0, 3, 2), arc(0, 4, 2)]
-    yield "points", "C2", Invalid(models.two_pyramids(), "curve-nonmanifold", *apexes)
-    glued = two[0], two[1], models.unit_box(0, 5, 0)
-    yield "a glued face", "C3", Invalid(list(glued), "curve-nonmanifold", arc(0, 1, 2), arc(0, 2, 3), arc(1, 2, 2))
-    yield "a glued face, the last", "C3", Invalid(list(glued), "curve-nonmanifold", arc(0, 2, 3), arc(1, 2, 2), arc(1, 0, 2))
-    yield "a collapsed face", "C3", Invalid([wedge], "curve-nonmanifold", arc(0, 0, 2), arc(0, 2, 2), arc(0, 3, 2))
-    yield "a side of a ring twice", "C3", Invalid([valid.closed_frame()], "curve-nonmanifold", arc(0, 3, 2), arc(0, 3, 3), arc(0, 0, 3))
-    partly = models.partly_collapsed()
-    yield "a face that is partly collapsed, and its sides", "V1", Invalid(partly, "curve-nonmanifold", arc(0, 2, 0), arc(0, 2, 1), arc(1, 2, 0))
-    yield "a face that is partly collapsed, and its corner", "V1", Invalid(partly, "point-nonmanifold", 0, 0)
-    beside = cube(lambda p: tuple(1 + sum(c * x for c, x in zip(row, p)) for row in ((2, 1, 1), (-1, -2, -1), (1, 1, 2))))
-    for cell, corner in ((0, 7), (3, 0), (4, 0)):
-        yield "three copies", "P1", Invalid([cube()] * 3 + [models.unit_box(1, 1, 1), beside], "point-nonmanifold", cell, corner)
-    for name, maps in models.valid_models().items():
-        if name not in ("squares", "apart"):
-            yield "a corner of %s" % name, "P2", Invalid(maps, "point-nonmanifold", 0, 0)
-
-
-def there_and_back():
-    """An arc that runs up and down an edge on which z = 2 w (1 - w): its first and its last three quarters are opposite."""
-    cell = bezier((1, 1, 2), lambda u, v, w: (u, v, w if (u, v) != (1, 1) else 2 * w * (1 - w) * 2))
-    return Invalid([cell], "curve-nonmanifold", arc(0, 1, 3, (0, 2, 0, 3)), arc(0, 1, 3, (0, 2, 1, 4)), arc(0, 3, 3, (0, 2, 0, 3)))
 
 
 class InvalidTest(unittest.TestCase):
@@ -209,32 +106,58 @@ class ValidModels(InvalidTest):
         self.says("ACCEPT", Invalid(models.valid_models()["a fan"], "singular", at(3, 0, HALF, HALF)))
 
 
-def sides_by_curve(maps):
-    """{curve: arcs}: whole spans of sides and their halves that are not collapsed. A curve is known by four of its points, in the tests'
-    own way."""
-    found = collections.defaultdict(list)
-    for cell, m in enumerate(maps):
-        net = m.all()
-        for face, side in itertools.product(range(6), range(4)):
-            along = vmodel_forge.OTHERS[face // 2][side // 2]
-            index = [None] * 3
-            index[face // 2], index[vmodel_forge.OTHERS[face // 2][1 - side // 2]] = face % 2, side % 2
-            line = [net[tuple(i if x is None else x * (n - 1) for x, n in zip(index, m.sizes))] for i in range(m.sizes[along])]
-            spans = sorted(set(m.knots[along]))
-            for k, (lo, hi) in enumerate(zip(spans, spans[1:])):
-                for part in ((0, 0, 1), (1, 0, 1), (1, 1, 2)):
-                    first, last = [lo + (hi - lo) * Q(n, 1 << part[0]) for n in part[1:]]
-                    points = [place_on(line, m, along, k, first + (last - first) * t) for t in (0, Q(1, 3), Q(2, 3), 1)]
-                    if points[0] != points[1]:
-                        found[min(tuple(points), tuple(points[::-1]))].append(arc(cell, face, side, (k, *part)))
-    return found
+class Octants(InvalidTest):
+    """Boxes in some of the eight octants around a point, or in some of the four quadrants around a line."""
+
+    def test_all_sets_of_octants(self):
+        """A point is claimed truly if the border of the set of octants is more than one cycle."""
+        counts = collections.Counter()
+        for chosen in range(1, 256):
+            octants = [o for o in range(8) if chosen >> o & 1]
+            cells = [models.unit_box(*[(o >> a & 1) - 1 for a in range(3)]) for o in octants]
+            cycles = border_cycles(octants)
+            self.says("ACCEPT" if cycles > 1 else "P2", Invalid(cells, "point-nonmanifold", 0, 7 - octants[0]))
+            counts[cycles] += 1
+        self.assertEqual(counts, {0: 1, 1: 162, 2: 82, 3: 8, 4: 2})
+
+    def test_all_sets_of_quadrants(self):
+        """Three arcs along the line are claimed truly if they are sides of border faces."""
+        for chosen in range(1, 16):
+            quadrants = [q for q in range(4) if chosen >> q & 1]
+            cells = [models.unit_box(*[(q >> a & 1) - 1 for a in range(2)], 0) for q in quadrants]
+            sides = [(n, q, axis) for n, q in enumerate(quadrants) for axis in range(2)]
+            for three in itertools.combinations(sides, 3):
+                arcs = [arc(n, 2 * axis + 1 - (q >> axis & 1), 2 + 1 - (q >> 1 - axis & 1)) for n, q, axis in three]
+                borders = all(q ^ 1 << axis not in quadrants for _, q, axis in three)
+                self.says("ACCEPT" if borders else "C3", Invalid(cells, "curve-nonmanifold", *arcs))
 
 
-def place_on(line, m, axis, span, t):
-    knots, p = m.knots[axis], m.degrees[axis]
-    k = max(i for i, x in enumerate(knots) if x == sorted(set(knots))[span])
-    q = vmodel_forge.blossom(line, knots, p, k, [t] * p)
-    return tuple(c / q[3] for c in q[:3])
+def border_cycles(octants):
+    """A set of triangles of the octahedron: runs of triangles around a corner join the two sides at which they end."""
+    joined = collections.defaultdict(list)
+    for axis in range(3):
+        for end in (0, 1):
+            b, c = [a for a in range(3) if a != axis]
+            ring = [end << axis | i << b | j << c for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
+            filled = [o in octants for o in ring]
+            for first in range(4):
+                if filled[first] and not filled[first - 1]:
+                    last = first
+                    while filled[(last + 1) % 4]:
+                        last += 1
+                    one, other = frozenset((ring[first], ring[first - 1])), frozenset((ring[last % 4], ring[(last + 1) % 4]))
+                    joined[ring[first], one].append((ring[last % 4], other))
+                    joined[ring[last % 4], other].append((ring[first], one))
+    seen, cycles = set(), 0
+    for start in joined:
+        cycles += start not in seen
+        reached = [start]
+        while reached:
+            side = reached.pop()
+            if side not in seen:
+                seen.add(side)
+                reached += joined[side]
+    return cycles
 
 
 class EqualFaces(InvalidTest):
@@ -379,38 +302,36 @@ class Limits(InvalidTest):
             maps = [texts.Map(m.degrees, m.knots, [(p[0] / 4, p[1] / 4, p[2] / 4 + small.get(p, 0)) for p in m.points]) for m in true.maps]
             self.says(says, Invalid(maps, true.kind, *true.parts))
 
-    def units(self, lie):
-        """How much work there is: the least number of units with which the certificate is accepted."""
-        low, high, allowed = 0, 1 << 24, vmodel_invalid_check.allowed
+
+class Units(InvalidTest):
+    def takes(self, units, lie):
+        """It is accepted with so many units, and not with one fewer."""
+        allowed = vmodel_invalid_check.allowed
         try:
-            while low < high:
-                middle = (low + high) // 2
-                vmodel_invalid_check.allowed = lambda count, middle=middle: middle
-                code, line = self.line(lie)
-                self.assertTrue(code == 0 or line.startswith("REJECT B2"), line)
-                low, high = (low, middle) if code == 0 else (middle + 1, high)
+            for most in (units, units - 1) if units else (0,):
+                vmodel_invalid_check.allowed = lambda count, most=most: most
+                self.says("ACCEPT" if most == units else "B2", lie)
         finally:
             vmodel_invalid_check.allowed = allowed
-        return low
 
     def test_units_by_hand(self):
         """An interval takes 3 units in the degree 1, a piece 3 x 16 + 2, N on it 5, a product 2 x 8 + 2, a curve 4 + 2."""
         interval, piece, product, curve = 3, 50, 18, 6
         cell = 3 * interval + piece
-        self.assertEqual(self.units(models.honest("a flat cell")), cell + 5)
-        self.assertEqual(self.units(models.honest("flat on one span")), cell + 5)
-        self.assertEqual(self.units(models.honest("a mirrored cube")), 0)
-        self.assertEqual(self.units(models.honest("overlapping cubes")), 0)
-        self.assertEqual(self.units(models.honest("overlapping cubes, a box")), cell)
-        self.assertEqual(self.units(models.honest("two cubes at an edge")), 3 * (interval + curve) + 3 * 11 + 2 * cell)
-        self.assertEqual(self.units(models.honest("two cubes at a corner")), 2 * cell + 6 * 5 + 2 + 12)
+        self.takes(cell + 5, models.honest("a flat cell"))
+        self.takes(cell + 5, models.honest("flat on one span"))
+        self.takes(0, models.honest("a mirrored cube"))
+        self.takes(0, models.honest("overlapping cubes"))
+        self.takes(cell, models.honest("overlapping cubes, a box"))
+        self.takes(3 * (interval + curve) + 3 * 11 + 2 * cell, models.honest("two cubes at an edge"))
+        self.takes(2 * cell + 6 * 5 + 2 + 12, models.honest("two cubes at a corner"))
         # Two cells with a common face, of nine faces at the corner; eight of 18 walks pass it.
         three = [cube(), models.unit_box(1, 0, 0), models.unit_box(1, 1, 1)]
         same = 4 * interval + 2 * product
-        self.assertEqual(self.units(Invalid(three, "point-nonmanifold", 0, 7)), 3 * cell + 9 * 8 + 2 * same + 3 + 18)
+        self.takes(3 * cell + 9 * 8 + 2 * same + 3 + 18, Invalid(three, "point-nonmanifold", 0, 7))
         three[1] = models.with_knot(three[1], 1, HALF)    # four intervals of one axis, two of the other; two products of each face
-        self.assertEqual(self.units(Invalid(three, "point-nonmanifold", 0, 7)),
-                         3 * cell + interval + piece + 9 * 8 + 2 * (6 * interval + 4 * product) + 3 + 18)
+        self.takes(3 * cell + interval + piece + 9 * 8 + 2 * (6 * interval + 4 * product) + 3 + 18,
+                   Invalid(three, "point-nonmanifold", 0, 7))
 
     def test_faces_with_the_same_corners(self):
         """They are compared in all symmetries that fit: eight, where all corners are one point."""
@@ -419,18 +340,9 @@ class Limits(InvalidTest):
         def point(u, v, w):
             return (0, 0, 0) if {u, v, w} <= {0, 1} else (u, v + Q(next(number), 1000), w)
         cells = [bezier((2, 2, 2), point) for _ in range(2)]
-        found = self.units(Invalid(cells, "point-nonmanifold", 0, 0))
-        number = itertools.count(1)
-        comparison = 8 * (4 * (1 + 8 * 64 // 32) + 2 * (2 * (9 * 3 * 33 // 32) + 2))
-        self.assertGreater(found, 12 * 11 * comparison)
-        self.assertLess(found, 12 * 11 * 2 * comparison)
-
-
-def bent(rng, body):
-    if len(body) > 30:                                    # more than three changes can take away
-        return star_forge.bent(rng, body)
-    n = rng.randrange(9, len(body))
-    return body[:n] + bytes([rng.choice((0, 1, 2, 7, 127, 128, 255))]) + body[n + 1:]
+        interval, piece, product = 1 + 8 * 64 // 32, 3 * (27 * 3 * 33 // 32) + 2, 2 * (9 * 3 * 33 // 32) + 2
+        self.takes(2 * (3 * interval + piece) + 12 * 11 * (1 + 8 * (4 * interval + 2 * product)) + 16 + 12 * 8,
+                   Invalid(cells, "point-nonmanifold", 0, 0))
 
 
 class Hostile(InvalidTest):
@@ -452,7 +364,7 @@ class Hostile(InvalidTest):
             code, line = self.line(about.changed(body=lambda body=body: body))
             self.assertEqual(code, 1, (trial, body.hex(), line))
             found[line[7:9]] += 1
-        self.assertGreater(len(found), 8, found)
+        self.assertGreater(len(found), 5, found)
 
 
 if __name__ == "__main__":

@@ -102,7 +102,7 @@ def with_more_knots(m, axis, inner):
 
 
 def weighted(m):
-    """The rational map whose weights are a product, 2^(i + j + k) at the corners, of the cube's map in other parameters."""
+    """The map of degrees 1 with the weights 2^(i + j + k)."""
     return texts.Map(m.degrees, m.knots, [tuple(c * 2 ** bin(n).count("1") for c in (*p, 1)) for n, p in enumerate(m.points)], True)
 
 
@@ -187,6 +187,7 @@ class Findings(unittest.TestCase):
                  "knots inserted on both sides, one turned": [
                      with_more_knots(UNIT, 1, [Q(1, 4), Q(1, 2)]),
                      permuted(with_more_knots(with_more_knots(neighbours[1], 1, [Q(1, 3), Q(1, 2)]), 2, [Q(1, 5)]), (2, 0, 1), (1, 1, 0))],
+                 "in other degrees and weights": [models.raised_cell(UNIT, 1), models.weighted(models.raised_cell(neighbours[1], 2))],
                  "a ring": [models.closed_frame()], "a wedge": [cube(lambda p: (p[0], p[0] * p[1], p[2]))],
                  "a wedge beside a box": [cube(lambda p: (p[0], p[0] * p[1], p[2])), box((0, -1, 0), (1, 0, 1))],
                  "a pyramid": [models.pyramid()], "six pyramids": models.pyramids_of_a_cube(), "a fan": models.fan(),

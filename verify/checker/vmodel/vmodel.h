@@ -79,7 +79,6 @@ class PieceCutter {
 
  private:
   const Entity& volume_;
-  const Place3 place_;
   Units& units_;
   std::vector<AxisInterval> axes_[3];
 };

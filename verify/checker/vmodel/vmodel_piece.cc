@@ -172,7 +172,7 @@ struct CellGrid {
 const Place3 kWholeCell = {{-1, -1, -1}};
 
 PieceCutter::PieceCutter(const VCell& cell, const Place3& place, Units* units)
-    : volume_(*cell.volume), place_(place), units_(*units) {
+    : volume_(*cell.volume), units_(*units) {
   for (size_t a = 0; a < 3; ++a) {
     if (place.end[a] >= 0) axes_[a].push_back(fixed_axis(volume_, a, place.end[a] != 0));
     for (size_t i = 0; i < cell.intervals(a) && place.end[a] < 0; ++i)

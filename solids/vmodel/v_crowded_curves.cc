@@ -201,6 +201,8 @@ class PartSearch {
     std::optional<VCrowdedCurve> found;
     index_.each_at(near, [&](std::uint32_t number) {
       const std::uint32_t e = edges_[number];
+      const PatchSide side = complex_.sides(e).front();
+      if (vertex_of(side, 0) == vertex || vertex_of(side, 1) == vertex) return false;
       const auto t = parameter_on(curve_of(e), p);
       if (!t || !(Rational(0) < *t) || !(*t < Rational(1))) return false;
       for (const EdgeEnd& other : at_vertex_[vertex])

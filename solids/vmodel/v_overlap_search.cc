@@ -300,16 +300,20 @@ class OverlapSearch {
 
   // A span that runs through itself.
   std::optional<VOverlap> try_within_spans() {
-    static constexpr std::array<double, 4> kAlong = {0.0625, 0.3125, 0.6875, 0.9375};
-    for (const RoundedSpan& s : spans_)
-      for (std::size_t i = 0; i < 64; ++i) {
+    for (const RoundedSpan& s : spans_) {
+      Grid<3> samples;
+      for (std::size_t a = 0; a < 3; ++a)
+        samples.size[a] = static_cast<std::size_t>(2 * s.map.degree(a) + 2);
+      for (std::size_t i = 0; i < samples.count(); ++i) {
         if (solves_ >= options_.max_solves) return std::nullopt;
-        const VPlace place{
-            s.cell,
-            s.span,
-            {dyadic(kAlong[i % 4], 10), dyadic(kAlong[i / 4 % 4], 10), dyadic(kAlong[i / 16], 10)}};
+        const auto index = samples.index_of(i);
+        VPlace place{s.cell, s.span, {}};
+        for (std::size_t a = 0; a < 3; ++a)
+          place.at[a] = dyadic(
+              (static_cast<double>(index[a]) + 0.5) / static_cast<double>(samples.size[a]), 10);
         if (auto found = try_at(place, true)) return found;
       }
+    }
     return std::nullopt;
   }
 

@@ -664,8 +664,8 @@ TEST(Certify, VolumesThatFoldAreInvalid) {
   const std::string nested = nested_volumes(".85 .6 .6");
   const Certified c = certify(read(nested, "folded.itd")).value();
   expect_folded(c,
-                "entity 1: the volume folds: its map keeps the orientation of space at (1, 0, 0) "
-                "and reverses it at (0, 0, 0)");
+                "entity 1: the volume folds: its map keeps the orientation of space at (1/2, 1/2, "
+                "1/2) and reverses it at (1/4, 1/4, 1/4)");
   EXPECT_FALSE(c.copy);
   EXPECT_EQ(format_of_certificate(c), "itd");
   expect_accepted(nested, c);
@@ -675,8 +675,8 @@ TEST(Certify, VolumesThatFoldAreInvalid) {
       " [0 0 1][4 0 1][-3 0 1][1 0 1] [0 1 1][4 1 1][-3 1 1][1 1 1]]\n";
   const Certified middle = certify(read(inside, "folded.itd")).value();
   expect_folded(middle,
-                "entity 0: the volume folds: its map keeps the orientation of space at (0, 0, "
-                "0) and reverses it at (1/2, 1/2, 1/2)");
+                "entity 0: the volume folds: its map keeps the orientation of space at (1/8, 1/8, "
+                "1/8) and reverses it at (1/2, 1/2, 1/2)");
   expect_accepted(inside, middle);
 }
 
@@ -870,7 +870,7 @@ TEST(Certify, WhatIsOpenOfACopyIsNamedByVolumes) {
   std::string lower = half;
   for (std::size_t at; (at = lower.find("1/2")) != lower.npos;) lower.replace(at, 3, ".5");
   const ModelFile file = read(kLooseBox + lower, "step.itd");
-  const Certified c = certify(file).value();
+  const Certified c = certify(file, by_faces()).value();
   EXPECT_TRUE(c.copy);
   ASSERT_FALSE(c.findings.empty());
   EXPECT_NE(c.verdict, Verdict::kValid);

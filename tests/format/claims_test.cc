@@ -224,7 +224,7 @@ std::map<std::string, Example, std::less<>> examples() {
   all["vmodel-1"] = {encode(subject, of_cells, vmodel()), {vmodel()}, {}};
   std::vector<AnyBody> findings;
   for (const VModelInvalidBody& body : invalid_vmodels()) findings.emplace_back(body);
-  all["vmodel-invalid-1"] = {encode(subject, invalid_vmodels()[4]), std::move(findings), {}};
+  all["vmodel-invalid-1"] = {encode(subject, invalid_vmodels()[0]), std::move(findings), {}};
   return all;
 }
 

@@ -107,10 +107,13 @@ TEST(VBorder, DescriptionsOfTheCellsDoNotMatter) {
     const std::string what = "seed " + std::to_string(seed) + ", round " + std::to_string(round) +
                              "\n" + v_cells::text_of(cells[0]) + v_cells::text_of(cells[1]);
     const VModel model = bordered(cells);
-    EXPECT_EQ(point_in(model).has_value(), !is_edge) << what;
+    // With other knots the sides differ, and the border has two vertices at both ends of the edge.
+    EXPECT_TRUE(is_edge || point_in(model)) << what;
     const auto curve = curve_in(model);
     EXPECT_EQ(curve.has_value(), is_edge) << what;
-    if (curve) EXPECT_EQ(curve->middle[0], Rational(1)) << what;
+    if (curve) {
+      EXPECT_EQ(curve->middle[0], Rational(1)) << what;
+    }
   }
 }
 

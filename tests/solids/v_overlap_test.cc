@@ -152,7 +152,9 @@ TEST(VOverlap, RandomBoxesOverlapIffTheirCoordinatesDo) {
                              "\n" + v_cells::text_of(cells[0]) + v_cells::text_of(cells[1]);
     const VModel model = cells_as_they_are(cells);
     const auto found = find_overlap(model);
-    if (found) EXPECT_TRUE(is_overlap(model, *found) && overlaps) << what;
+    if (found) {
+      EXPECT_TRUE(is_overlap(model, *found) && overlaps) << what;
+    }
     // Two bars that cross have no corner, middle of a side or of a face in one another.
     if (!found && overlaps) {
       int through = 0;

@@ -2,11 +2,10 @@
 // verify/certify/vmodel_cut_internal.h: the lengths of the numbers from which parts of cells are cut, and the limits on
 // them: docs/certificates/vmodel.md, B2 and section 7.
 #pragma once
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
-#include "robust/integer.h"
+#include "robust/common_bits.h"
 #include "robust/rational.h"
 #include "splines/knot_axis.h"
 
@@ -16,29 +15,10 @@ inline constexpr std::uint64_t kFreeVModelUnits = std::uint64_t{1} << 23, kVMode
 inline constexpr std::uint64_t kMostBitsOfKnots = 2048, kMostBitsOfPoints = 8192;
 inline constexpr std::uint64_t kMostBitsOfPiece = std::uint64_t{1} << 24;
 
-// The most bits of the numbers times their least common denominator, and of it.
-class CommonBits {
- public:
-  void add(const Rational& v) {
-    numerator_ = std::max(numerator_, v.numerator().bit_length());
-    const Integer& d = v.denominator();
-    if (d == Integer(1) || d == last_) return;
-    last_ = d;
-    common_ = lcm(common_, d);
-  }
-  // An upper bound: a numerator grows by the common denominator at most.
-  std::uint64_t bits() const {
-    return std::max<std::uint64_t>(1, numerator_ + common_.bit_length() - 1);
-  }
-
- private:
-  std::uint64_t numerator_ = 0;
-  Integer common_{1}, last_{1};
-};
-
+/// An interval of an axis between knots, or a part of it.
 struct KnotPiece {
   std::size_t first = 0;   // control point
-  std::uint64_t bits = 1;  // t of the page
+  std::uint64_t bits = 1;  // t of the page, or more
   bool is_whole = false;   // its knots are the interval's ends: coefficients are control points
 };
 
@@ -48,7 +28,7 @@ inline KnotPiece interval_of(const KnotAxis<Rational>& axis, const Rational& a, 
   while (axis.knots[k + 1] <= a) ++k;
   KnotPiece out;
   out.first = k - p;
-  CommonBits bits;
+  CommonBits bits(kMostBitsOfKnots);
   out.is_whole = true;
   for (std::size_t i = k - p + 1; i <= k + p; ++i) {
     bits.add(axis.knots[i] - a);

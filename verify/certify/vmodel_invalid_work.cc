@@ -82,14 +82,14 @@ void VInvalidWork::add_cut(const VVolume& cell, std::span<const std::size_t> axe
     sizes.push_back(local.size[a]);
     cuts.push_back({piece.first, piece.bits, piece.is_whole});
   }
-  internal::CommonBits bits;
+  CommonBits bits(internal::kMostBitsOfPoints);
   for (std::size_t i = 0; i < local.count(); ++i) {
     auto index = local.index_of(i);
     for (std::size_t a = 0; a < 3; ++a) index[a] += first[a];
     for (int c = 0; c < cell.num_components(); ++c)
       bits.add(cell.component(c)[cell.grid().at(index)]);
   }
-  if (bits.bits() > internal::kMostBitsOfPoints) is_beyond_ = true;
+  if (bits.is_beyond()) is_beyond_ = true;
   const PartUnits part = units_of_part(sizes, cuts, bits.bits());
   units_ += part.units;
   if (axes.size() < 3) return;

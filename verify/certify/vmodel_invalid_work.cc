@@ -214,8 +214,11 @@ void VInvalidWork::add_face_parts(VFaceNumber f,
     const KnotAxis<Rational>& axis = cell.axis(axes[k]);
     const Rational length = axis.domain_end() - axis.domain_begin();
     for (const Rational& t : breaks[k]) at[k].push_back(axis.domain_begin() + length * t);
-    for (std::size_t i = 0; i + 1 < at[k].size(); ++i)
+    for (std::size_t i = 0; i + 1 < at[k].size(); ++i) {
       add_interval(cell, axes[k], {at[k][i], at[k][i + 1]});
+      const std::uint64_t t = internal::interval_of(axis, at[k][i], at[k][i + 1]).bits;
+      units_ += static_cast<std::uint64_t>(axis.degree) * t * t / 1024;
+    }
   }
   std::array<Ends, 3> part;
   part[across] = {Rational(static_cast<int>(f % 2)), Rational()};

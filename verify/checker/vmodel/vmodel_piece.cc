@@ -173,10 +173,15 @@ const Place3 kWholeCell = {{-1, -1, -1}};
 
 PieceCutter::PieceCutter(const VCell& cell, const Place3& place, Units* units)
     : volume_(*cell.volume), units_(*units) {
+  int fixed = 0;
+  for (int end : place.end) fixed += end >= 0;
   for (size_t a = 0; a < 3; ++a) {
     if (place.end[a] >= 0) axes_[a].push_back(fixed_axis(volume_, a, place.end[a] != 0));
-    for (size_t i = 0; i < cell.intervals(a) && place.end[a] < 0; ++i)
+    for (size_t i = 0; i < cell.intervals(a) && place.end[a] < 0; ++i) {
       axes_[a].push_back(interval_of(volume_, a, cell.breaks[a][i], cell.breaks[a][i + 1], units));
+      const uint64_t t = axes_[a].back().bits;
+      if (fixed == 1) units->add(uint64_t(volume_.degrees[a]) * t * t / 1024);  // a face: compared
+    }
   }
 }
 VPiece PieceCutter::cut(size_t i, size_t j, size_t k) {

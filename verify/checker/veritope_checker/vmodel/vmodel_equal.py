@@ -82,7 +82,10 @@ class AllFaces:
         volume, found = self.volumes[f // 6], []
         for axis, knots, of_axis in zip(OTHERS[f % 6 // 2], self.knots(f), units):
             breaks = [knots[0] + (knots[-1] - knots[0]) * t for t in of_axis]
-            found.append([interval(volume, axis, lo, hi, self.spend) for lo, hi in zip(breaks, breaks[1:])])
+            found.append([])
+            for lo, hi in zip(breaks, breaks[1:]):
+                found[-1].append(interval(volume, axis, lo, hi, self.spend))
+                self.spend(volume.degrees[axis] * found[-1][-1][2] ** 2 >> 10)
         return found
 
     def rows(self, f, chosen):

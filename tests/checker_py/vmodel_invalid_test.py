@@ -10,13 +10,12 @@ import unittest
 from fractions import Fraction as Q
 
 import model_texts as texts
-import star_box_forge as star_forge
 import vmodel_forge
 import vmodel_invalid_forge as forge
 import vmodel_invalid_models as models
 import vmodel_models as valid
 from vmodel_invalid_forge import WHOLE, Invalid
-from vmodel_invalid_lies import lies, negated
+from vmodel_invalid_lies import bent_bytes, lies, negated
 from vmodel_invalid_models import HALF, IDENTITY, arc, at, sides_by_curve
 from volume_folded_forge import bezier, cube
 
@@ -383,7 +382,7 @@ class Hostile(InvalidTest):
             about = about.changed(kind=true.kind, number=true.number, parts=true.parts)
             body = about.body()
             if rng.random() < .5:
-                body = bent(rng, body)
+                body = bent_bytes(rng, body)
             if body[8:9] in (b"\1", b"\2"):
                 continue
             code, line = self.line(about.changed(body=lambda body=body: body))

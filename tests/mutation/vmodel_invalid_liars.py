@@ -16,8 +16,7 @@ from fractions import Fraction as Q
 import attacks
 import patch_attacks
 import patch_solids as ps                                 # and the way to the forges
-import star_box_forge as star_forge
-import vmodel_invalid_lies as bent_findings
+import vmodel_invalid_lies as lies
 import vmodel_invalid_models as models
 import vmodel_liars
 import vmodel_models as valid
@@ -237,16 +236,9 @@ def findings_of_other_models(rng):
     for _ in range(3):
         body = Invalid(maps, true.kind, *true.parts).body()
         if rng.random() < .6:
-            body = bent(rng, body)
+            body = lies.bent_bytes(rng, body)
         if len(body) < 9 or body[8] not in (1, 2):
             yield "of_another_model", placed(Invalid(maps, true.kind, *true.parts), rng).changed(body=lambda body=body: body)
-
-
-def bent(rng, body):
-    if len(body) > 30:
-        return star_forge.bent(rng, body)
-    n = rng.randrange(9, len(body))
-    return body[:n] + bytes([rng.choice((0, 1, 2, 7, 127, 128, 255))]) + body[n + 1:]
 
 
 def cells_cut_too_late(rng):
@@ -272,7 +264,7 @@ def varied_without_knots(maps, rng):
 
 @functools.lru_cache(None)
 def all_lies():
-    return list(bent_findings.lies())
+    return list(lies.lies())
 
 
 def wrong_in_one_thing(rng):

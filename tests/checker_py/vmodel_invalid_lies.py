@@ -3,7 +3,6 @@
 import itertools
 from fractions import Fraction as Q
 
-import model_texts as texts
 import star_box_forge as forge
 import vmodel_invalid_models as models
 import vmodel_models as valid

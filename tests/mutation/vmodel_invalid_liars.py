@@ -6,23 +6,21 @@ about invalid ones that are wrong in one thing by construction. As attacks.py, w
     python3 tests/mutation/vmodel_invalid_liars.py --count 20000 --seed 1 --checker PATH_TO_veritope-check
 """
 import functools
-import itertools
 import math
-import random
 import sys
 import time
 from fractions import Fraction as Q
 
 import attacks
 import patch_attacks
-import patch_solids as ps                                 # and the way to the forges
+import patch_solids                                       # noqa: F401  the way to the forges
 import vmodel_invalid_lies as lies
 import vmodel_invalid_models as models
 import vmodel_liars
 import vmodel_models as valid
 import volume_folded_forge as folds
-from vmodel_invalid_forge import KINDS, WHOLE, Invalid
-from vmodel_invalid_models import HALF, IDENTITY, arc
+from vmodel_invalid_forge import KINDS, Invalid
+from vmodel_invalid_models import HALF
 
 CONDITIONS = ["B2", "B3", "F1", "H1", "Z1", "O1", "O2", "O3", "O4", "C1", "C2", "C3", "V1", "P1", "P2"]
 TURNS = vmodel_liars.TURNS

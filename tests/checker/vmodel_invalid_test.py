@@ -7,7 +7,7 @@ import judges
 import vmodel_invalid_test as python_tests
 
 judges.judge(python_tests.vc)
-Honest, Lies, Octants, ValidModels = python_tests.Honest, python_tests.Lies, python_tests.Octants, python_tests.ValidModels
+Honest, Lies, Links, ValidModels = python_tests.Honest, python_tests.Lies, python_tests.Links, python_tests.ValidModels
 Bodies, Limits, Hostile = python_tests.Bodies, python_tests.Limits, python_tests.Hostile
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 import itertools
 from fractions import Fraction as Q
 
-import model_texts as texts
+import star_box_forge as forge
 import vmodel_invalid_models as models
 import vmodel_models as valid
 from vmodel_invalid_forge import WHOLE, Invalid
@@ -107,3 +107,11 @@ def there_and_back():
     """An arc that runs up and down an edge on which z = 2 w (1 - w): its first and its last three quarters are opposite."""
     cell = bezier((1, 1, 2), lambda u, v, w: (u, v, w if (u, v) != (1, 1) else 2 * w * (1 - w) * 2))
     return Invalid([cell], "curve-nonmanifold", arc(0, 1, 3, (0, 2, 0, 3)), arc(0, 1, 3, (0, 2, 1, 4)), arc(0, 3, 3, (0, 2, 0, 3)))
+
+
+def bent_bytes(rng, body):
+    """The body with a few other bytes. A short one keeps its length."""
+    if len(body) > 30:
+        return forge.bent(rng, body)
+    n = rng.randrange(9, len(body))
+    return body[:n] + bytes([rng.choice((0, 1, 2, 7, 127, 128, 255))]) + body[n + 1:]

@@ -42,7 +42,7 @@ def corner_at(maps, place):
 # ---------------------------------------------------------------- maps
 
 def with_knot(m, axis, t):
-    """The same map of degree 1 along the axis and of one span, with a knot inserted."""
+    """Inserts a knot into a map that has the degree 1 and one span along the axis."""
     net, points = m.all(), []
     sizes = [n + (a == axis) for a, n in enumerate(m.sizes)]
     (lo, hi), t = (m.knots[axis][0], m.knots[axis][-1]), Q(t)
@@ -64,7 +64,7 @@ def power(n):
     """Bernstein coefficients of (u + i v)^n in the degrees (n, n), by blossoms: a cell that is rolled up around its edge u = v = 0, with
     n = 4 so that the faces u = 0 and v = 0 meet."""
     def coefficient(i, j):
-        """Of u^a v^b: C(i, a) C(j, b) / (C(n, a) C(n, b))."""
+        """The monomial u^a v^b has the coefficients C(i, a) C(j, b) / (C(n, a) C(n, b))."""
         x, y = Q(0), Q(0)
         for a in range(n + 1):
             b = n - a

@@ -10,13 +10,12 @@ import unittest
 from fractions import Fraction as Q
 
 import model_texts as texts
-import star_box_forge as star_forge
 import vmodel_forge
 import vmodel_invalid_forge as forge
 import vmodel_invalid_models as models
 import vmodel_models as valid
 from vmodel_invalid_forge import WHOLE, Invalid
-from vmodel_invalid_lies import lies, negated
+from vmodel_invalid_lies import bent_bytes, lies, negated
 from vmodel_invalid_models import HALF, IDENTITY, arc, at, sides_by_curve
 from volume_folded_forge import bezier, cube
 
@@ -106,19 +105,48 @@ class ValidModels(InvalidTest):
         self.says("ACCEPT", Invalid(models.valid_models()["a fan"], "singular", at(3, 0, HALF, HALF)))
 
 
-class Octants(InvalidTest):
-    """Boxes in some of the eight octants around a point, or in some of the four quadrants around a line."""
+class Links(InvalidTest):
+    """Cells around a point or a line, of which some are there. The point is claimed truly if the border of the cells, cut by a small sphere,
+    is more than one cycle."""
 
     def test_all_sets_of_octants(self):
-        """A point is claimed truly if the border of the set of octants is more than one cycle."""
-        counts = collections.Counter()
+        counts, rings = collections.Counter(), []
+        for axis, end in itertools.product(range(3), (0, 1)):
+            b, c = [a for a in range(3) if a != axis]
+            rings.append([end << axis | i << b | j << c for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))])
         for chosen in range(1, 256):
             octants = [o for o in range(8) if chosen >> o & 1]
             cells = [models.unit_box(*[(o >> a & 1) - 1 for a in range(3)]) for o in octants]
-            cycles = border_cycles(octants)
+            cycles = border_cycles(octants, rings)
             self.says("ACCEPT" if cycles > 1 else "P2", Invalid(cells, "point-nonmanifold", 0, 7 - octants[0]))
             counts[cycles] += 1
         self.assertEqual(counts, {0: 1, 1: 162, 2: 82, 3: 8, 4: 2})
+
+    def test_all_sets_of_pyramids(self):
+        """Six pyramids with one apex, to which a face of each is collapsed; around each diagonal of the cube there are three."""
+        pyramids, counts = valid.pyramids_of_a_cube(), collections.Counter()
+        rings = [[x, 2 + y, 4 + z] for x, y, z in itertools.product((0, 1), repeat=3)]
+        for chosen in range(1, 64):
+            there = [n for n in range(6) if chosen >> n & 1]
+            cycles = border_cycles(there, rings)
+            cells, _ = valid.renamed([pyramids[n] for n in there], random.Random(chosen))
+            self.says("ACCEPT" if cycles > 1 else "P2", Invalid(cells, "point-nonmanifold", *models.corner_at(cells, (0, 0, 0))))
+            counts[cycles] += 1
+        self.assertEqual(counts, {0: 1, 1: 56, 2: 6})
+
+    def test_all_sets_of_wedges(self):
+        """Four wedges around an axis, onto which a face of each is collapsed: the ends of the axis, and three sides along it."""
+        fan = valid.fan()
+        for chosen in range(1, 16):
+            there = [n for n in range(4) if chosen >> n & 1]
+            cells = [fan[n] for n in there]
+            says = "ACCEPT" if there in ([0, 2], [1, 3]) else "P2"
+            for end in (0, 1):
+                self.says(says, Invalid(cells, "point-nonmanifold", *models.corner_at(cells, (0, 0, end))))
+            sides = [(n, face) for n in range(len(there)) for face in (2, 3)]
+            for three in itertools.combinations(sides, 3):
+                border = all((there[n] + (1 if face == 3 else -1)) % 4 not in there for n, face in three)
+                self.says("ACCEPT" if border else "C3", Invalid(cells, "curve-nonmanifold", *[arc(n, face, 2) for n, face in three]))
 
     def test_all_sets_of_quadrants(self):
         """Three arcs along the line are claimed truly if they are sides of border faces."""
@@ -132,22 +160,18 @@ class Octants(InvalidTest):
                 self.says("ACCEPT" if borders else "C3", Invalid(cells, "curve-nonmanifold", *arcs))
 
 
-def border_cycles(octants):
-    """A set of triangles of the octahedron: runs of triangles around a corner join the two sides at which they end."""
+def border_cycles(there, rings):
+    """rings: the cells around each line through the point, in order. Cells that follow one another join the two sides at which they end."""
     joined = collections.defaultdict(list)
-    for axis in range(3):
-        for end in (0, 1):
-            b, c = [a for a in range(3) if a != axis]
-            ring = [end << axis | i << b | j << c for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
-            filled = [o in octants for o in ring]
-            for first in range(4):
-                if filled[first] and not filled[first - 1]:
-                    last = first
-                    while filled[(last + 1) % 4]:
-                        last += 1
-                    one, other = frozenset((ring[first], ring[first - 1])), frozenset((ring[last % 4], ring[(last + 1) % 4]))
-                    joined[ring[first], one].append((ring[last % 4], other))
-                    joined[ring[last % 4], other].append((ring[first], one))
+    for ring in rings:
+        for first, cell in enumerate(ring):
+            if cell in there and ring[first - 1] not in there:
+                last = first
+                while ring[(last + 1) % len(ring)] in there:
+                    last += 1
+                ends = [(cell, frozenset((cell, ring[first - 1]))), (ring[last % len(ring)], frozenset((ring[last % len(ring)], ring[(last + 1) % len(ring)])))]
+                for one, other in (ends, ends[::-1]):
+                    joined[one].append(other)
     seen, cycles = set(), 0
     for start in joined:
         cycles += start not in seen
@@ -358,7 +382,7 @@ class Hostile(InvalidTest):
             about = about.changed(kind=true.kind, number=true.number, parts=true.parts)
             body = about.body()
             if rng.random() < .5:
-                body = bent(rng, body)
+                body = bent_bytes(rng, body)
             if body[8:9] in (b"\1", b"\2"):
                 continue
             code, line = self.line(about.changed(body=lambda body=body: body))

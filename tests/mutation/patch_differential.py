@@ -5,11 +5,12 @@
 Models of all formats, of surfaces and of volumes: the numbers of a sound model are written in other ways that mean the same, so that
 its certificate must still be accepted; or the text is damaged.  Certificates of all claims: bodies and statements are damaged, hashes set
 right again.  --only formats: models in .g2 and MFEM's format, and models of volumes; --only certificates,
---only sheets, --only vmodels: those.
+--only sheets, --only vmodels, --only invalid_vmodels: those.
 
     python3 tests/mutation/patch_differential.py --count 50000 --seed 1 --checker PATH_TO_veritope-check
 """
 import hashlib
+import itertools
 import json
 import random
 import re
@@ -29,6 +30,7 @@ import patch_liars
 import patch_solids as ps
 import sheet_liars
 import star_box_itd_test as itd
+import vmodel_invalid_liars
 import vmodel_liars
 import volume_folded_test as fold_tests
 
@@ -251,9 +253,51 @@ def vmodel_cases(rng):
         yield "random_vmodel", plan.model(), plan.certificate()
 
 
+def cell_of_a_lattice(rng):
+    """A cell whose corners are those of a cube, but that some are others: many faces and edges are collapsed, equal, or equal in several ways."""
+    corners = list(itertools.product((0, 1), repeat=3))
+    moved = {p: p for p in corners}
+    for _ in range(rng.choice((0, 0, 1, 2, 4, 8))):
+        moved[rng.choice(corners)] = rng.choice(corners)
+    if rng.random() < .3:                                 # a face becomes a line, a line a point
+        axis, end = rng.randrange(3), rng.randrange(2)
+        across = rng.choice([a for a in range(3) if a != axis])
+        moved = {p: moved[p[:across] + (0,) + p[across + 1:]] if p[axis] == end else image for p, image in moved.items()}
+    shift = [rng.choice((0, 0, 0, 1, Q(1, 2))) for _ in range(3)]
+    return fold_tests.forge.cube(lambda p: tuple(c + d for c, d in zip(moved[p], shift)))
+
+
+def invalid_vmodel_cases(rng):
+    """Findings about V-models, damaged; random findings about random cells with corners of a lattice."""
+    liars = vmodel_invalid_liars
+    if rng.random() < .4:
+        found = list((liars.honest if rng.random() < .6 else liars.invalid_cells_attacks)(rng))
+        for name, model, cert in rng.sample(found, min(1, len(found))):
+            for _ in range(12):
+                yield "damaged_" + name, model, damaged_certificate(cert, rng)
+        return
+    maps = [cell_of_a_lattice(rng) for _ in range(rng.randint(1, 4))]
+    maps = liars.varied(maps + [rng.choice(maps)] if rng.random() < .3 else maps, rng)
+    arcs = [a for arcs in liars.models.sides_by_curve(maps).values() for a in arcs]
+    groups = [arcs for arcs in liars.models.sides_by_curve(maps).values() if len(arcs) > 2]
+    findings = [("point-nonmanifold", (rng.randrange(len(maps)), rng.randrange(8))) for _ in range(4)]
+    findings += [("curve-nonmanifold", rng.sample(rng.choice(groups), 3)) for _ in range(3) if groups]
+    findings += [("curve-nonmanifold", rng.choices(arcs, k=3))] if arcs else []
+    cell = rng.randrange(len(maps))
+    findings += [("flat", (cell, [rng.randrange(len(set(t)) - 1) for t in maps[cell].knots])),
+                 (rng.choice(("left-handed", "singular")), [(cell, liars.somewhere(maps[cell], rng))]),
+                 ("overlap", [(c, liars.somewhere(maps[c], rng)) for c in (cell, rng.randrange(len(maps)))])]
+    text = None
+    for kind, parts in findings:
+        finding = liars.Invalid(maps, kind, *parts)
+        finding.text = text
+        text = finding.model()
+        yield "random_" + kind, text, finding.certificate()
+
+
 def certificate_cases(rng):
     if rng.random() < .3:
-        yield from vmodel_cases(rng) if rng.random() < .3 else sheet_cases(rng)
+        yield from vmodel_cases(rng) if rng.random() < .3 else invalid_vmodel_cases(rng) if rng.random() < .2 else sheet_cases(rng)
         return
     kinds = [patch_attacks.honest] * 5 + [patch_liars.star_attacks, invalid_liars.invalid_attacks, meeting_liars.meeting_attacks, fold_liars.fold_attacks]
     kind = collar_liars.collar_attacks if rng.random() < .02 else rng.choice(kinds)
@@ -300,7 +344,8 @@ def cases(rng):
         yield from certificate_cases(rng)
 
 
-ONLY = {"": cases, "sheets": sheet_cases, "vmodels": vmodel_cases, "formats": lambda rng: [model_case(rng, "formats")], "certificates": certificate_cases}
+ONLY = {"": cases, "sheets": sheet_cases, "vmodels": vmodel_cases, "invalid_vmodels": invalid_vmodel_cases,
+        "formats": lambda rng: [model_case(rng, "formats")], "certificates": certificate_cases}
 
 
 class Run(attacks.Run):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Equal faces (docs/certificates/vmodel-invalid.md, section 4). Face 6 c + k is face k of cell c."""
 from bisect import bisect_left
-from itertools import groupby, product
+from itertools import product
 from math import gcd
 
 from ..patches.model_powers import scaled

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Boundaries that are no surfaces (docs/certificates/vmodel-invalid.md, section 4): more than two sides at one arc, more
-than one vertex at one point."""
+"""Boundaries that are no surfaces (docs/certificates/vmodel-invalid.md, section 4): three sides at one arc, or two
+vertices at one point."""
 from fractions import Fraction
 from itertools import combinations
 

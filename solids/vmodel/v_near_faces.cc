@@ -88,10 +88,11 @@ class NearFaceFinder {
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     num_candidates_ += found.size();
-    if (num_candidates_ > kMaxWeldCandidates)
+    if (const std::uint64_t most = kMaxWeldCandidates + 16 * std::uint64_t{model_.num_faces()};
+        num_candidates_ > most)
       return error_at_entity(Code::kOverLimit, f / 6,
-                             "more than " + std::to_string(kMaxWeldCandidates) +
-                                 " pairs of faces have corners that may be within the distance");
+                             "the distance is too large for the model: more than " +
+                                 std::to_string(most) + " pairs of faces may be within it");
     for (const VFaceNumber g : found)
       if (auto error = compare(f, corners, g)) return error;
     return std::nullopt;

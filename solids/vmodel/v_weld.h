@@ -13,9 +13,10 @@
 
 namespace veritope {
 
-/// All control points of welded cells, and pairs of faces that are looked at.
+/// All control points of cells that change.
 inline constexpr std::uint64_t kMaxWeldControlPoints = std::uint64_t{1} << 24;
-inline constexpr std::uint64_t kMaxWeldCandidates = std::uint64_t{1} << 24;
+/// Pairs of faces whose lowest coordinates are near, beside 16 for each face.
+inline constexpr std::uint64_t kMaxWeldCandidates = std::uint64_t{1} << 20;
 
 /// Two faces that were near and are glued now.
 struct VWeldedPair {
@@ -74,7 +75,7 @@ struct VWeld {
 /// The result is checked before it is returned: each welded pair is glued, and what was glued still is. Without a near
 /// pair nothing changes.
 /// @param eps  in model units, > 0 (REQUIRES)
-/// @error as make_v_model; kOverLimit for more than kMaxWeldCandidates pairs of faces with corners near each other (eps
+/// @error as make_v_model; kOverLimit for more than kMaxWeldCandidates pairs of faces that may be near each other (eps
 ///        is large for the model), and where welded cells would have more than kMaxWeldControlPoints
 /// @cost  near-linear in the control points, if few pairs of faces have near corners and few pairs are refused
 Result<VWeld> weld(std::vector<VVolume> cells, const Rational& eps);

@@ -200,11 +200,9 @@ void declare(OptionSet& set, ConvertOptions& o) {
   set.flag("--pn", o.pn, "write a mesh as smooth Bezier triangles: PN-triangles");
   set.flag("--rejoin", o.rejoin, "cut sides of splines at T-junctions, exactly");
   set.option(
-      "--weld", "EPS",
-      [&o](const std::string& text) { return take_weld_distance(text, o.weld); },
+      "--weld", "EPS", [&o](const std::string& text) { return take_weld_distance(text, o.weld); },
       "make faces of volumes equal whose control points\nare within EPS of each other");
-  declare_json(set, o.json, "with --weld: write what was welded");
-  set.needs("--json", "--weld");
+  declare_json(set, o.json, "write what --weld did");
   set.flag("--lossy", o.lossy, "round or renumber where necessary, and say how much");
   declare_jobs(set, o.input.reading.jobs);
   declare_format(set, o.input);
@@ -212,6 +210,7 @@ void declare(OptionSet& set, ConvertOptions& o) {
 }
 
 std::string contradiction(const ConvertOptions& o) {
+  if (o.json && !o.weld) return "--json requires --weld";
   if (o.output == "-" && o.json == "-") return "OUT and --json would both write standard output";
   return o.output == "-" && !o.to ? "- is standard output and needs --to" : "";
 }

@@ -275,7 +275,8 @@ ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, Stand
 }
 
 ExitCode convert_to_pn(ModelInput& input, const ConvertOptions& options, StandardOutput& out) {
-  if (options.faces || options.rejoin || options.weld) return fail(bad_argument("--pn is for meshes"));
+  if (options.faces || options.rejoin || options.weld)
+    return fail(bad_argument("--pn is for meshes"));
   const Result<Target> target = ready_target(options);
   if (!target) return fail(target.error());
   const Result<ModelFile> read = input.take();

@@ -20,13 +20,15 @@ namespace {
 using Point3 = std::array<Rational, 3>;
 using FaceCorners = std::array<Point3, 4>;  // corner x + 2 y
 
-// Faces that are near have lowest coordinates of corners that differ by at most eps: they lie in one box of a lattice of
+// The means of the corners of two near faces differ by at most eps in a coordinate: they lie in one box of a lattice of
 // that width or in two that touch.
 class NearFaceFinder {
  public:
   NearFaceFinder(const VModel& model, const Rational& eps) : model_(model), eps_(eps) {}
 
   Result<NearFaces> find() {
+    for (VFaceNumber f = 0; f < model_.num_faces(); ++f)
+      num_open_ += model_.face(f).is_border() ? 1 : 0;
     for (VFaceNumber f = 0; f < model_.num_faces(); ++f)
       if (!model_.face(f).is_collapsed()) boxes_.emplace_back(hash_of(box_of(corners_of(f))), f);
     std::sort(boxes_.begin(), boxes_.end());
@@ -58,12 +60,11 @@ class NearFaceFinder {
   }
   LatticeBox box_of(const FaceCorners& corners) const {
     LatticeBox out;
+    const Rational width = eps_ * Rational(4);
     for (std::size_t c = 0; c < 3; ++c) {
-      const Rational* low = &corners[0][c];
-      for (const Point3& p : corners)
-        if (p[c] < *low) low = &p[c];
-      out[c] = floor_divide(low->numerator() * eps_.denominator(),
-                            low->denominator() * eps_.numerator());
+      const Rational place =
+          (corners[0][c] + corners[1][c] + corners[2][c] + corners[3][c]) / width;
+      out[c] = floor_divide(place.numerator(), place.denominator());
     }
     return out;
   }
@@ -88,8 +89,7 @@ class NearFaceFinder {
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     num_candidates_ += found.size();
-    if (const std::uint64_t most = kMaxWeldCandidates + 16 * std::uint64_t{model_.num_faces()};
-        num_candidates_ > most)
+    if (const std::uint64_t most = kMaxWeldCandidates + 4 * num_open_; num_candidates_ > most)
       return error_at_entity(Code::kOverLimit, f / 6,
                              "the distance is too large for the model: more than " +
                                  std::to_string(most) + " pairs of faces may be within it");
@@ -113,6 +113,7 @@ class NearFaceFinder {
   }
 
   std::optional<Error> compare(VFaceNumber f, const FaceCorners& corners, VFaceNumber g) {
+    if (is_crowded(f) && is_crowded(g)) return std::nullopt;  // one more pair would not matter
     const unsigned symmetries = symmetries_of_corners(f, corners, g);
     if (symmetries == 0) return std::nullopt;
     const FaceView face = view(f), other = view(g);
@@ -141,6 +142,10 @@ class NearFaceFinder {
     return std::nullopt;
   }
 
+  bool is_crowded(VFaceNumber f) const {
+    const auto at = num_near_.find(f);
+    return at != num_near_.end() && at->second > 1;
+  }
   static bool is_too_large(const FaceView& f, const FaceView& g, unsigned s) {
     std::size_t count = 1;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -157,7 +162,7 @@ class NearFaceFinder {
   std::vector<NearPair> near_;                                // g may be glued
   std::unordered_map<VFaceNumber, std::uint32_t> num_near_;
   std::vector<VApartPair> apart_;
-  std::uint64_t num_candidates_ = 0;
+  std::uint64_t num_candidates_ = 0, num_open_ = 0;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "solids/vmodel/v_weld.h"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -33,9 +34,6 @@ class VWelder {
     if (!pairs_.empty())
       if (auto error = weld_all(cells, out)) return std::move(*error);
     out.cells = std::move(cells);
-    std::sort(out.welded.begin(), out.welded.end(), [](const auto& a, const auto& b) {
-      return std::min(a.winner, a.loser) < std::min(b.winner, b.loser);
-    });
     std::sort(out.apart.begin(), out.apart.end(), [](const auto& a, const auto& b) {
       return std::tie(a.first, a.second) < std::tie(b.first, b.second);
     });
@@ -56,7 +54,7 @@ class VWelder {
       if (is_sound())
         if (auto error = round.make_cells()) return error;
       if (is_sound())
-        if (auto error = test(round, out)) return error;
+        if (auto error = test(round)) return error;
       if (is_sound()) {
         finish(round, cells, out);
         return std::nullopt;
@@ -67,10 +65,10 @@ class VWelder {
   }
 
   // Glues the welded cells. Pairs fail that are not glued, and those around what is not glued any more.
-  std::optional<Error> test(WeldRound& round, VWeld& out) const {
+  std::optional<Error> test(WeldRound& round) {
     std::vector<VVolume> all(model_.cells().begin(), model_.cells().end());
     for (const auto& [c, cell] : round.cells()) all[c] = cell.after;
-    const Result<VModel> welded = make_v_model(std::move(all), VOrientation::kAuto);
+    Result<VModel> welded = make_v_model(std::move(all), VOrientation::kAuto);
     if (!welded) return welded.error();
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       if (round.is_tied(i) && welded->face(pairs_[i].f).mate != pairs_[i].g)
@@ -78,7 +76,7 @@ class VWelder {
     for (VFaceNumber f = 0; f < model_.num_faces(); ++f)
       if (model_.face(f).is_glued() && welded->face(f).mate != model_.face(f).mate)
         round.fail_around(f / 6, VApartReason::kCollapse);
-    out.glued_after = welded->counts().internal;
+    after_ = std::move(*welded);
     return std::nullopt;
   }
 
@@ -96,7 +94,6 @@ class VWelder {
     }
     VT_CHECK(rest.size() < pairs_.size(), "a round failed without a pair that could be refused");
     pairs_ = std::move(rest);
-    out.glued_after = model_.counts().internal;
   }
 
   // The longest way of a control point of the face; 0 in a cell that is not changed.
@@ -110,21 +107,34 @@ class VWelder {
     return gap.value();
   }
 
-  void finish(const WeldRound& round, std::vector<VVolume>& cells, VWeld& out) {
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const NearPair& p = pairs_[i];
-      if (!round.is_tied(i)) {
-        out.apart.push_back({p.f, p.g, round.failed().at(i), p.distance});
-        continue;
-      }
-      VWeldedPair pair{p.f, p.g, p.symmetry, p.distance,
-                       std::max(way_of(round, p.f), way_of(round, p.g))};
-      if (!round.wins(p.f, p.g)) {
-        std::swap(pair.winner, pair.loser);
-        pair.symmetry = static_cast<std::uint8_t>(v_symmetry_inverse(p.symmetry));
-      }
-      out.welded.push_back(std::move(pair));
+  VWeldedPair pair_of(const WeldRound& round, VFaceNumber f) const {
+    const VFaceRole& role = after_->face(f);
+    const auto view = [this](VFaceNumber face) {
+      return internal::FaceView(model_.cell(face / 6), face % 6);
+    };
+    const auto common = internal::in_common_space(view(f), view(role.mate), role.symmetry);
+    VWeldedPair out{f, role.mate, role.symmetry,
+                    internal::control_gap(common.first, common.second).value(),
+                    std::max(way_of(round, f), way_of(round, role.mate))};
+    if (!round.wins(f, role.mate)) {
+      std::swap(out.winner, out.loser);
+      out.symmetry = static_cast<std::uint8_t>(v_symmetry_inverse(role.symmetry));
     }
+    return out;
+  }
+
+  void finish(const WeldRound& round, std::vector<VVolume>& cells, VWeld& out) const {
+    out.glued_after = after_->counts().internal;
+    for (VFaceNumber f = 0; f < model_.num_faces(); ++f)
+      if (after_->face(f).mate > f && after_->face(f).is_glued() && !model_.face(f).is_glued())
+        out.welded.push_back(pair_of(round, f));
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      if (!round.is_tied(i))
+        out.apart.push_back({pairs_[i].f, pairs_[i].g, round.failed().at(i), pairs_[i].distance});
+    // Faces may become equal because all of their sides do.
+    std::erase_if(out.apart, [this](const VApartPair& pair) {
+      return after_->face(pair.first).mate == pair.second;
+    });
     for (const auto& [c, cell] : round.cells()) {
       out.changed.push_back(c);
       const Rational way = internal::control_gap(cell.before, cell.after).value();
@@ -141,6 +151,7 @@ class VWelder {
   const VModel& model_;
   const Rational& eps_;
   std::vector<NearPair> pairs_;
+  std::optional<VModel> after_;  // the cells of the last round that came to its test
 };
 
 }  // namespace

@@ -15,10 +15,10 @@ namespace veritope {
 
 /// All control points of cells that change.
 inline constexpr std::uint64_t kMaxWeldControlPoints = std::uint64_t{1} << 24;
-/// Pairs of faces whose lowest coordinates are near, beside 16 for each face.
-inline constexpr std::uint64_t kMaxWeldCandidates = std::uint64_t{1} << 20;
+/// Pairs of faces whose middles are near, beside 4 for each face that is not glued.
+inline constexpr std::uint64_t kMaxWeldCandidates = std::uint64_t{1} << 17;
 
-/// Two faces that were near and are glued now.
+/// Two faces that are glued now and were not. They were near, or all of their sides became equal through other faces.
 struct VWeldedPair {
   VFaceNumber winner = 0, loser = 0;
   std::uint8_t symmetry = 0;  ///< takes the parameters of the winner to those of the loser
@@ -47,9 +47,10 @@ struct VApartPair {
 struct VWeld {
   std::vector<VVolume> cells;  ///< all of them; the maps of those that are not changed are as given
   std::vector<std::uint32_t> changed;  ///< ascending
-  std::vector<VWeldedPair> welded;     ///< by their faces
-  std::vector<VApartPair> apart;       ///< by their faces
-  Rational largest_displacement;       ///< of all control points of all cells
+  std::vector<VWeldedPair> welded;     ///< by the lesser of their faces
+  /// By their faces; of many faces that are near to each other only so many pairs that each has two.
+  std::vector<VApartPair> apart;
+  Rational largest_displacement;  ///< of all control points of all cells
   std::optional<std::uint32_t>
       farthest;  ///< a cell with that displacement; nothing if nothing moves
   std::uint64_t glued_before = 0, glued_after = 0;  ///< pairs

@@ -2,9 +2,9 @@
 // bench/soak_v_weld.cc: --rounds N --seed S. Random grids of cells whose truth is known by construction, in any
 // descriptions (symmetry, degrees, knots, domain, constant and projective weights), every control point off by a random
 // part of eps. Near: by less than eps / 4: every pair is welded, nothing moves by more than eps / 2, and welding again
-// changes nothing. Far: by up to 4 eps, so that chains are too long and faces are near to several: whatever is welded, no
-// point moves by more than eps, welded pairs are glued, what was glued still is, nothing collapses. Thin: as far, with
-// cells as thin as eps. One JSON line a kind: wrong results; the cells of one go to standard error.
+// changes nothing. Far: by up to 4 eps, so that chains are too long and faces are near to several: whatever is welded,
+// no point moves by more than eps, welded pairs are glued, what was glued still is, nothing collapses. Thin: as far,
+// with cells as thin as eps. One JSON line a kind: wrong results; the cells of one go to standard error.
 #include <algorithm>
 #include <array>
 #include <cstdio>

@@ -201,8 +201,9 @@ void declare(OptionSet& set, ConvertOptions& o) {
   set.flag("--rejoin", o.rejoin, "cut sides of splines at T-junctions, exactly");
   set.option(
       "--weld", "EPS", [&o](const std::string& text) { return take_weld_distance(text, o.weld); },
-      "make faces of volumes equal whose control points\nare within EPS of each other");
+      "weld faces of volumes within EPS; its report: --json F");
   declare_json(set, o.json, "write what --weld did");
+  set.hide("--json");  // the help line above names it
   set.flag("--lossy", o.lossy, "round or renumber where necessary, and say how much");
   declare_jobs(set, o.input.reading.jobs);
   declare_format(set, o.input);

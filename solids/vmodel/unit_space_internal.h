@@ -30,7 +30,7 @@ UnitSpace reversed_space(UnitSpace space);
 /// The least space that holds both.
 UnitSpace common_space(const UnitSpace& a, const UnitSpace& b);
 
-/// The same map in a larger space. REQUIRES a clamped axis whose space lies in `to`.
+/// Raises degrees and inserts knots; the map stays the same. REQUIRES a clamped axis whose space lies in `to`.
 template <std::size_t N>
 BSpline<Rational, N> raised(BSpline<Rational, N> map, std::size_t axis, const UnitSpace& to) {
   map = elevate(std::move(map), axis, to.degree - map.axis(axis).degree);

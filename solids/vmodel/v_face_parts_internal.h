@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/vmodel/v_face_parts_internal.h: which corners and edges of a cell are those of a face, and its hand. Numbers as
-// in docs/certificates/vmodel.md, section 3.
+// solids/vmodel/v_face_parts_internal.h: which corners and edges of a cell are those of a face, and its hand. Numbers
+// as in docs/certificates/vmodel.md, section 3.
 #pragma once
 #include <array>
 #include <cstddef>

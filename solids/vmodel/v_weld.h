@@ -67,12 +67,13 @@ struct VWeld {
 ///  2. edges that are one in the same way become one curve with these ends;
 ///  3. faces that are welded or equal become one surface with these sides.
 /// The simpler face wins: the lower sum of degrees, then fewer control points, then constant weights, then the lower
-/// number. So do its edges and corners; if one of those is too far from another one of its class, the middle of all takes
-/// its place. The other face takes the exact image in its cell's function space, which grows where it has to; the map
-/// inside of a cell changes only by the control points on its border. Weights are never changed, nor are attributes.
+/// number. So do its edges and corners; if one of those is too far from another one of its class, the middle of all
+/// takes its place. The other face takes the exact image in its cell's function space, which grows where it has to; the
+/// map inside of a cell changes only by the control points on its border. Weights and attributes are never changed.
 ///
-/// Pairs are taken in the order of their distance. A pair stays apart if otherwise a control point would move by more than
-/// eps in a coordinate, or an edge or face would collapse. So no point of a cell moves by more than eps in a coordinate.
+/// Pairs are taken in the order of their distance. A pair stays apart if otherwise a control point would move by more
+/// than eps in a coordinate, or an edge or face would collapse. So no point of a cell moves by more than eps in a
+/// coordinate.
 /// The result is checked before it is returned: each welded pair is glued, and what was glued still is. Without a near
 /// pair nothing changes.
 /// @param eps  in model units, > 0 (REQUIRES)

@@ -20,8 +20,8 @@ class WeldClasses {
  public:
   explicit WeldClasses(const VModel& model);
 
-  /// Makes the corners and the edges of the two faces one, unless a class of corners would then be wider than 2 eps in a
-  /// coordinate, or an edge would become one with a collapsed one: then nothing changes, and the reason is returned.
+  /// Makes the corners and the edges of the two faces one, unless a class of corners would then be wider than 2 eps in
+  /// a coordinate, or an edge would become one with a collapsed one: then nothing changes, and the reason is returned.
   std::optional<VApartReason> tie(const NearPair& pair, const Rational& eps);
 
   std::uint32_t corner_class(std::uint32_t corner) { return corners_.find(corner); }

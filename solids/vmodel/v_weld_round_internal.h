@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/vmodel/v_weld_round_internal.h: one try to weld pairs of near faces: corners, edges, faces, cells, in this order.
+// solids/vmodel/v_weld_round_internal.h: one try to weld pairs of near faces: corners, edges, faces,
+// then cells.
 #pragma once
 #include <array>
 #include <compare>
@@ -44,7 +45,7 @@ class WeldRound {
   /// Whether the pair failed before the first step.
   bool was_untied(std::size_t pair) const { return is_untied_[pair]; }
   bool wins(VFaceNumber f, VFaceNumber g) const { return rank_of_face(f) < rank_of_face(g); }
-  /// Makes all tied pairs fail that could have changed the cell; all of them if there is none.
+  /// Makes all tied pairs fail that could have changed the cell; without such a pair, all of them.
   void fail_around(std::uint32_t cell, VApartReason reason);
   void fail(std::size_t pair, VApartReason reason) { failed_.emplace(pair, reason); }
 

@@ -115,7 +115,7 @@ class Weld(Folder):
         self.assertEqual(run("convert", path, self.folder / "o.vtu", "--weld", "1e-3").returncode, 0)
 
     def test_what_the_format_cannot_hold_is_refused(self):
-        """A third of a degree elevation is no decimal."""
+        """Degree elevation makes thirds, which are not decimals."""
         high = "[TRIVAR BEZIER 4 2 2 E3\n" + "\n".join(
             " ".join(f"[{x} {j + 1} {k}]" for x in ("0", "0.3333", "0.6667", "1")) for k in (0, 1) for j in (0, 1)) + "\n]\n"
         path = self.file(box((0, 0, 0), (1, 1, 1)) + high)

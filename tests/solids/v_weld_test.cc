@@ -197,7 +197,7 @@ TEST(VWeld, WeightsAreKeptAndMustBeProportional) {
   ASSERT_EQ(apart.apart.size(), 1u);
   EXPECT_EQ(apart.apart[0].reason, VApartReason::kWeights);
   EXPECT_FALSE(apart.apart[0].distance.has_value());
-  // The same weights up to a factor on both sides.
+  // Weights on both sides that are proportional.
   const VVolume left =
       with_shift(v_cells::mapped(v_cells::with_factor(weighted(Rational(3)), ratio(5, 7)),
                                  [](Point p) { return p[0] -= Rational(1), p; }),

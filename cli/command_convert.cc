@@ -12,6 +12,7 @@
 #include "cli/model_files.h"
 #include "cli/output_plan.h"
 #include "cli/spline_convert.h"
+#include "cli/volume_weld.h"
 #include "io/formats.h"
 #include "io/mesh/write_mesh.h"
 #include "report/decimal_text.h"
@@ -161,6 +162,7 @@ ExitCode run(const ConvertOptions& options, StandardOutput& out) {
   if (options.chord) return fail(bad_argument("--chord is for splines"));
   if (options.faces) return fail(bad_argument("--faces is for splines"));
   if (options.rejoin) return fail(bad_argument("--rejoin is for splines"));
+  if (options.weld) return fail(bad_argument("--weld is for spline volumes"));
   const Result<WriteOptions> target = target_of(options);
   if (!target) return fail(target.error());
   if (const Status status = refuse_same(options.input.files, options.output); !status) {
@@ -197,6 +199,11 @@ void declare(OptionSet& set, ConvertOptions& o) {
   set.flag("--faces", o.faces, "write the boundary of spline volumes as surfaces");
   set.flag("--pn", o.pn, "write a mesh as smooth Bezier triangles: PN-triangles");
   set.flag("--rejoin", o.rejoin, "cut sides of splines at T-junctions, exactly");
+  set.option(
+      "--weld", "EPS", [&o](const std::string& text) { return take_weld_distance(text, o.weld); },
+      "weld faces of volumes within EPS; its report: --json F");
+  declare_json(set, o.json, "write what --weld did");
+  set.hide("--json");  // the help line above names it
   set.flag("--lossy", o.lossy, "round or renumber where necessary, and say how much");
   declare_jobs(set, o.input.reading.jobs);
   declare_format(set, o.input);
@@ -204,6 +211,8 @@ void declare(OptionSet& set, ConvertOptions& o) {
 }
 
 std::string contradiction(const ConvertOptions& o) {
+  if (o.json && !o.weld) return "--json requires --weld";
+  if (o.output == "-" && o.json == "-") return "OUT and --json would both write standard output";
   return o.output == "-" && !o.to ? "- is standard output and needs --to" : "";
 }
 

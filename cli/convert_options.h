@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/option_groups.h"
+#include "robust/rational.h"
 
 namespace veritope::cli {
 
@@ -13,10 +14,12 @@ struct ConvertOptions {
   std::string output;
   std::optional<std::string> to;
   bool single_precision = false, lossy = false;
-  bool faces = false;           ///< write the boundary of volumes
-  bool pn = false;              ///< write PN-triangles of a mesh
-  bool rejoin = false;          ///< cut splines at T-junctions
-  std::optional<double> chord;  ///< for splines written as obj or gltf
+  bool faces = false;               ///< write the boundary of volumes
+  bool pn = false;                  ///< write PN-triangles of a mesh
+  bool rejoin = false;              ///< cut splines at T-junctions
+  std::optional<Rational> weld;     ///< make faces of volumes equal that are within this distance
+  std::optional<std::string> json;  ///< what was welded
+  std::optional<double> chord;      ///< for splines written as obj or gltf
 };
 
 /// Why the name of the new file chooses none of the formats in which `what`, "a mesh" or "splines", can be written.

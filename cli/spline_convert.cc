@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "cli/output_plan.h"
+#include "cli/volume_weld.h"
 #include "io/formats.h"
 #include "io/pn_model.h"
 #include "io/splines/patch_model.h"
@@ -15,6 +16,8 @@
 #include "io/splines/write_splines.h"
 #include "render/spline_view.h"
 #include "report/text_style.h"
+#include "report/weld_report.h"
+#include "verify/format/sha256.h"
 
 namespace veritope::cli {
 
@@ -139,14 +142,30 @@ Status rejoin(SplineFile& file, const ConvertOptions& o, const Target& target, s
   }
   for (const Joint& joint : done->joined) text += joint_text(joint);
   for (const std::string& left : done->left) text += "  left: " + left + "\n";
-  if (text.empty()) text = "  nothing to join\n";
+  if (done->joined.empty() && done->left.empty()) text += "  nothing to join\n";
   file.model = std::move(done->model);
   return ok_status();
 }
 
+// What was done to the splines before they are written.
+struct Changes {
+  std::string text;                // lines for people
+  std::optional<WeldReport> weld;  // without its outputs
+};
+
+Status write_weld_report(const ConvertOptions& o, WeldReport weld, const std::string& bytes,
+                         StandardOutput& out) {
+  weld.output_path = o.output;
+  weld.output_bytes = bytes.size();
+  weld.output_sha256 =
+      to_hex(sha256({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}));
+  const Status status = write_output(*o.json, weld_json(weld), out);
+  return *o.json == "-" ? ok_status() : status;  // main looks at standard output
+}
+
 ExitCode finish(const ConvertOptions& o, const SplineFile& file, const std::string& bytes,
-                const std::string& lost, const std::string& dropped, bool is_view,
-                const std::string& joints, StandardOutput& out) {
+                const std::string& lost, const std::string& dropped, bool is_view, Changes changes,
+                StandardOutput& out) {
   const Status written = write_output(o.output, bytes, out);
   if (!written && o.output != "-") return fail(written.error());
   const std::string what = is_view ? ", a picture" : lost.empty() ? ", nothing lost" : "";
@@ -154,15 +173,18 @@ ExitCode finish(const ConvertOptions& o, const SplineFile& file, const std::stri
       "wrote  " + unbroken(harmless(o.output)) + "  " +
       counted(file.model.entities.size(), "entity", "entities") + what +
       (lost.empty() ? "" : ", lossy: " + lost) + "\n" +
-      (dropped.empty() ? "" : "  not part of the geometry, dropped: " + dropped + "\n") + joints;
+      (dropped.empty() ? "" : "  not part of the geometry, dropped: " + dropped + "\n") +
+      changes.text;
   if (o.output != "-") {
-    out.write(fold(text, verdict_width()));
+    if (o.json != "-") out.write(fold(text, verdict_width()));
   } else {
     if (!lost.empty()) complain("lossy: " + lost);
     if (!dropped.empty()) complain("not part of the geometry, dropped: " + dropped);
-    if (!joints.empty()) complain(joints.substr(2, joints.size() - 3));
+    if (!changes.text.empty()) complain(changes.text.substr(2, changes.text.size() - 3));
   }
-  return kExitValid;
+  if (!o.json) return kExitValid;
+  const Status status = write_weld_report(o, std::move(*changes.weld), bytes, out);
+  return status ? kExitValid : fail(status.error());
 }
 
 // After what is wrong with the options and the output was looked for.
@@ -173,16 +195,21 @@ Result<Target> ready_target(const ConvertOptions& options) {
   if (options.chord && (view == nullptr || *view == ViewFormat::kVtu))
     return bad_argument("--chord is for obj and gltf");
   if (options.single_precision) return bad_argument("--float is for binary PLY");
-  if (const Status status = refuse_same(options.input.files, options.output); !status)
+  const std::vector<std::string>& inputs = options.input.files;
+  const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, options.json);
+  if (!plan) return plan.error();
+  if (const Status status = check_output("OUT", options.output, inputs, *plan, options.json);
+      !status)
     return status.error();
-  if (const Status status = try_output(options.output); !status) return status.error();
+  if (const Status status = try_outputs(*plan, {options.json, options.output}); !status)
+    return status.error();
   return target;
 }
 
 // Writes the model, unless that would lose something. `lost`, `dropped`: what is lost or left out already.
 ExitCode write_splines(const SplineFile& file, const ConvertOptions& options, const Target& target,
                        std::vector<std::string> lost, std::vector<std::string> dropped,
-                       const std::string& joints, StandardOutput& out) {
+                       Changes changes, StandardOutput& out) {
   const auto* const view = std::get_if<ViewFormat>(&target);
   if (view != nullptr) {
     const std::vector<std::string> otherwise = shown_otherwise(file.model);
@@ -196,7 +223,8 @@ ExitCode write_splines(const SplineFile& file, const ConvertOptions& options, co
       return fail(error);
     }
     if (!lost.empty() && !options.lossy) return refuse_loss(options, lost, "");
-    return finish(options, file, *bytes, joined(lost), joined(dropped), true, joints, out);
+    return finish(options, file, *bytes, joined(lost), joined(dropped), true, std::move(changes),
+                  out);
   }
   const SplineFormat format = std::get<SplineFormat>(target);
   const ReadLimits& limits = options.input.reading.limits;
@@ -213,7 +241,8 @@ ExitCode write_splines(const SplineFile& file, const ConvertOptions& options, co
   dropped.insert(dropped.end(), loss.dropped.begin(), loss.dropped.end());
   if (!lost.empty() && !options.lossy)
     return refuse_loss(options, lost, loss.shapes.empty() ? "" : "; --to vjson keeps every spline");
-  return finish(options, file, bytes, joined(lost), joined(dropped), false, joints, out);
+  return finish(options, file, bytes, joined(lost), joined(dropped), false, std::move(changes),
+                out);
 }
 
 }  // namespace
@@ -225,18 +254,29 @@ ExitCode convert_splines(ModelInput& input, const ConvertOptions& options, Stand
   if (!model) return fail(model.error());
   SplineFile* const file = &std::get<SplineFile>(*model);
   auto [lost, dropped] = left_out(*file);
+  Changes changes;
+  if (options.weld) {
+    Result<WeldReport> weld = weld_volumes(*file, options.input.files[0], *options.weld);
+    if (!weld) {  // what is wrong with the volumes is wrong with the file
+      complain(harmless(to_string(weld.error())));
+      return kExitUnreadable;
+    }
+    changes.text = weld_text(*weld);
+    changes.weld = std::move(*weld);
+  }
   if (options.faces)
     if (const Status status = take_faces(*file, options.input.files[0], lost, dropped); !status)
       return fail(status.error());
-  std::string joints;
   if (options.rejoin)
-    if (const Status status = rejoin(*file, options, *target, joints); !status)
+    if (const Status status = rejoin(*file, options, *target, changes.text); !status)
       return fail(status.error());
-  return write_splines(*file, options, *target, std::move(lost), std::move(dropped), joints, out);
+  return write_splines(*file, options, *target, std::move(lost), std::move(dropped),
+                       std::move(changes), out);
 }
 
 ExitCode convert_to_pn(ModelInput& input, const ConvertOptions& options, StandardOutput& out) {
-  if (options.faces || options.rejoin) return fail(bad_argument("--pn is for meshes"));
+  if (options.faces || options.rejoin || options.weld)
+    return fail(bad_argument("--pn is for meshes"));
   const Result<Target> target = ready_target(options);
   if (!target) return fail(target.error());
   const Result<ModelFile> read = input.take();
@@ -252,8 +292,9 @@ ExitCode convert_to_pn(ModelInput& input, const ConvertOptions& options, Standar
   SplineFile file;
   file.model = std::move(*model);
   return write_splines(file, options, *target, {}, {},
-                       mesh->normals ? "  normals: those of the file\n"
-                                     : "  normals: sums over triangles, weighted by area\n",
+                       {mesh->normals ? "  normals: those of the file\n"
+                                      : "  normals: sums over triangles, weighted by area\n",
+                        std::nullopt},
                        out);
 }
 

@@ -6,36 +6,14 @@
 #include <vector>
 
 #include "robust/base/disjoint_sets.h"
+#include "solids/vmodel/v_face_parts_internal.h"
 #include "solids/vmodel/v_model_maker_internal.h"
 
 namespace veritope {
+
+using internal::edge_of_side, internal::kSidesOfFace;
+
 namespace {
-
-// Corner e0 + 2 e1 + 4 e2 of the cell, from a corner (x, y) of its face k.
-std::uint32_t corner_of_face(std::size_t k, std::array<unsigned, 2> at) {
-  const auto axes = v_face_axes(k / 2);
-  return static_cast<std::uint32_t>((k % 2) << (k / 2) | at[0] << axes[0] | at[1] << axes[1]);
-}
-// Edge 4 axis + e + 2 f between two corners.
-std::uint32_t edge_between(std::uint32_t c, std::uint32_t d) {
-  const std::uint32_t axis = (c ^ d) == 1 ? 0 : (c ^ d) == 2 ? 1 : 2;
-  const auto others = v_face_axes(axis);
-  return 4 * axis + (c >> others[0] & 1) + 2 * (c >> others[1] & 1);
-}
-constexpr std::array<std::array<std::array<unsigned, 2>, 2>, 4> kSidesOfFace = {{
-    {{{0, 0}, {1, 0}}},
-    {{{0, 1}, {1, 1}}},  // along the first parameter
-    {{{0, 0}, {0, 1}}},
-    {{{1, 0}, {1, 1}}},  // along the second one
-}};
-
-std::array<std::uint32_t, 2> ends_of_edge(std::size_t edge) {
-  const std::size_t axis = edge / 4;
-  const auto others = v_face_axes(axis);
-  const auto low =
-      static_cast<std::uint32_t>((edge & 1) << others[0] | (edge >> 1 & 1) << others[1]);
-  return {low, low | 1u << axis};
-}
 
 std::uint64_t num_classes(DisjointSets<>& sets, const std::vector<bool>* left_out) {
   std::uint64_t count = 0;
@@ -51,20 +29,18 @@ void identify(DisjointSets<>& points, DisjointSets<>& curves, VFaceNumber f,
   for (const auto& side : kSidesOfFace) {
     std::array<std::uint32_t, 2> own{}, others{};
     for (std::size_t end = 0; end < 2; ++end) {
-      own[end] = corner_of_face(f % 6, side[end]);
-      others[end] = corner_of_face(role.mate % 6, v_symmetry_image(role.symmetry, side[end]));
+      own[end] = internal::corner_of_face(f % 6, side[end]);
+      others[end] =
+          internal::corner_of_face(role.mate % 6, v_symmetry_image(role.symmetry, side[end]));
       points.join(8 * cell + own[end], 8 * other + others[end]);
     }
-    curves.join(12 * cell + edge_between(own[0], own[1]),
-                12 * other + edge_between(others[0], others[1]));
+    curves.join(12 * cell + internal::edge_between(own[0], own[1]),
+                12 * other + internal::edge_between(others[0], others[1]));
   }
 }
 // Sides n and n + 1 of the face.
 void identify_sides(DisjointSets<>& curves, VFaceNumber f, std::size_t n) {
-  const auto edge = [&](std::size_t side) {
-    return 12 * (f / 6) + edge_between(corner_of_face(f % 6, kSidesOfFace[side][0]),
-                                       corner_of_face(f % 6, kSidesOfFace[side][1]));
-  };
+  const auto edge = [&](std::size_t side) { return 12 * (f / 6) + edge_of_side(f % 6, side); };
   curves.join(edge(n), edge(n + 1));
 }
 
@@ -100,7 +76,7 @@ void VModelMaker::count_points_and_curves() {
     for (std::uint32_t e = 0; e < 12; ++e)
       if (m_.is_edge_collapsed(c, e)) {
         is_collapsed[curves.find(12 * c + e)] = true;
-        const auto ends = ends_of_edge(e);
+        const auto ends = internal::ends_of_edge(e);
         points.join(8 * c + ends[0], 8 * c + ends[1]);
       }
   m_.counts_.v_points = num_classes(points, nullptr);

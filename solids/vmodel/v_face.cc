@@ -61,13 +61,6 @@ std::uint64_t hash_number(std::uint64_t h, const Rational& x) {
     h = mixed(h ^ (n->low_bits() * 2 + (n->sign() < 0 ? 1 : 0) + (n->bit_length() << 56)));
   return h;
 }
-std::array<Rational, 3> corner_of(const FaceView& f, unsigned x, unsigned y) {
-  const std::size_t i = x == 0 ? 0 : f.size(0) - 1, j = y == 0 ? 0 : f.size(1) - 1;
-  std::array<Rational, 3> p{f.at(0, i, j), f.at(1, i, j), f.at(2, i, j)};
-  if (f.is_rational() && f.weight(i, j) != Rational(1))
-    for (Rational& c : p) c /= f.weight(i, j);
-  return p;
-}
 
 // ---- equality
 
@@ -132,20 +125,8 @@ bool same_coefficients(const BSplineSurface<Rational>& a, const BSplineSurface<R
   return true;
 }
 
-BSplineSurface<Rational> on_unit_square(BSplineSurface<Rational> s) {
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    s = with_domain(s, axis, Rational(0), Rational(1)).value();
-  return s;
-}
-
 bool equal_in_common_space(const FaceView& f, const FaceView& g, unsigned s) {
-  const bool is_rational = f.is_rational() || g.is_rational();
-  auto a = on_unit_square(surface_of(f, is_rational)),
-       b = on_unit_square(surface_of(g, is_rational));
-  if ((s & 1) != 0) a = swapped(a, 0, 1);
-  if ((s & 2) != 0) a = reversed(a, 0);
-  if ((s & 4) != 0) a = reversed(a, 1);
-  const auto common = to_common_axes(std::move(a), std::move(b)).value();
+  const auto common = in_common_space(f, g, s);
   return same_coefficients(common.first, common.second);
 }
 
@@ -167,6 +148,28 @@ bool are_equal_under(const FaceView& f, const FaceView& g, unsigned s) {
 }
 
 }  // namespace
+
+BSplineSurface<Rational> on_unit_square(BSplineSurface<Rational> s) {
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    s = with_domain(s, axis, Rational(0), Rational(1)).value();
+  return s;
+}
+
+BSplineSurface<Rational> under_symmetry(BSplineSurface<Rational> face, unsigned s) {
+  if ((s & 1) != 0) face = swapped(face, 0, 1);
+  if ((s & 2) != 0) face = reversed(face, 0);
+  if ((s & 4) != 0) face = reversed(face, 1);
+  return face;
+}
+
+std::pair<BSplineSurface<Rational>, BSplineSurface<Rational>> in_common_space(const FaceView& f,
+                                                                              const FaceView& g,
+                                                                              unsigned s) {
+  const bool is_rational = f.is_rational() || g.is_rational();
+  return to_common_axes(under_symmetry(on_unit_square(surface_of(f, is_rational)), s),
+                        on_unit_square(surface_of(g, is_rational)))
+      .value();
+}
 
 VCollapse collapse_of(const FaceView& f, ControlRange i, ControlRange j) {
   const auto is_constant = [&](std::size_t k) {  // along parameter k
@@ -200,6 +203,14 @@ std::uint64_t point_hash(const std::array<Rational, 3>& p) {
   std::uint64_t h = 0x9e3779b97f4a7c15u;
   for (const Rational& x : p) h = hash_number(h, x);
   return h;
+}
+
+std::array<Rational, 3> corner_of(const FaceView& f, unsigned x, unsigned y) {
+  const std::size_t i = x == 0 ? 0 : f.size(0) - 1, j = y == 0 ? 0 : f.size(1) - 1;
+  std::array<Rational, 3> p{f.at(0, i, j), f.at(1, i, j), f.at(2, i, j)};
+  if (f.is_rational() && f.weight(i, j) != Rational(1))
+    for (Rational& c : p) c /= f.weight(i, j);
+  return p;
 }
 
 std::uint64_t corner_hash(const FaceView& f) {

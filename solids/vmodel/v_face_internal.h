@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "solids/vmodel/v_model.h"
 
@@ -55,12 +56,24 @@ VCollapse collapse_of(const FaceView& face);
 /// maps are equal, up to one positive factor of homogeneous coordinates.
 unsigned equal_symmetries(const FaceView& f, const FaceView& g, unsigned wanted);
 
+/// The corner (x, y), x and y 0 or 1.
+std::array<Rational, 3> corner_of(const FaceView& face, unsigned x, unsigned y);
+
 /// What is equal for equal faces: from the corner points, and from exact points inside as well.
 std::uint64_t corner_hash(const FaceView& face);
 std::uint64_t inner_hash(const FaceView& face);
 
 /// The face as a surface, its parameters in their order; with weights if `is_rational`.
 BSplineSurface<Rational> surface_of(const FaceView& face, bool is_rational);
+
+BSplineSurface<Rational> on_unit_square(BSplineSurface<Rational> surface);
+/// The surface in the parameters to which symmetry s takes its own.
+BSplineSurface<Rational> under_symmetry(BSplineSurface<Rational> face, unsigned s);
+/// f under symmetry s, and g: on the unit square, in the parameters of g and in one function space; with weights if one
+/// of them has some.
+std::pair<BSplineSurface<Rational>, BSplineSurface<Rational>> in_common_space(const FaceView& f,
+                                                                              const FaceView& g,
+                                                                              unsigned s);
 
 /// Whether the edge 4 axis + e + 2 f of the cell is collapsed.
 bool is_edge_collapsed(const VVolume& cell, std::size_t edge);

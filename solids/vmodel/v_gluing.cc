@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "solids/vmodel/v_face_parts_internal.h"
 #include "solids/vmodel/v_model_maker_internal.h"
 
 namespace veritope {
@@ -55,20 +56,11 @@ std::vector<VFaceNumber> VModelMaker::all_open_faces() const {
     if (!m_.faces_[f].is_collapsed()) out.push_back(f);
   return out;
 }
-// -1 or 1, as section 4 of the page defines it.
-int VModelMaker::hand_of_face(VFaceNumber f) const {
-  const std::size_t k = f % 6;
-  int hand = k % 2 == 0 ? -1 : 1;
-  if (k / 2 == 1) hand = -hand;
-  return m_.is_reversed_[f / 6] ? -hand : hand;
-}
-// Bit s for the symmetries that glue.
-unsigned VModelMaker::gluing_symmetries(VFaceNumber f, VFaceNumber g) const {
-  const bool is_odd = hand_of_face(f) * hand_of_face(g) == 1;
-  unsigned out = 0;
-  for (unsigned s = 0; s < 8; ++s)
-    if (is_v_symmetry_odd(s) == is_odd) out |= 1u << s;
-  return out;
+unsigned VModelMaker::right_symmetries(VFaceNumber f, VFaceNumber g) const {
+  const auto hand = [&](VFaceNumber face) {
+    return internal::hand_of_face(face, m_.is_reversed_[face / 6]);
+  };
+  return internal::gluing_symmetries(hand(f), hand(g));
 }
 
 // Sorts the faces of a group into classes of equal ones, and glues those of two.
@@ -91,7 +83,7 @@ void VModelMaker::match(const std::vector<VFaceNumber>& group) {
   }
 }
 void VModelMaker::match_pair(VFaceNumber f, VFaceNumber g) {
-  const unsigned right = gluing_symmetries(f, g);
+  const unsigned right = right_symmetries(f, g);
   for (unsigned s = 0; s < 8; ++s) {
     if ((right >> s & 1) == 0 || internal::equal_symmetries(view(f), view(g), 1u << s) == 0)
       continue;

@@ -29,8 +29,7 @@ class VModelMaker {
 
   // v_gluing.cc
   std::vector<VFaceNumber> all_open_faces() const;
-  int hand_of_face(VFaceNumber f) const;
-  unsigned gluing_symmetries(VFaceNumber f, VFaceNumber g) const;
+  unsigned right_symmetries(VFaceNumber f, VFaceNumber g) const;
   void match(const std::vector<VFaceNumber>& group);
   void match_pair(VFaceNumber f, VFaceNumber g);
 

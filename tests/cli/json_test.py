@@ -66,6 +66,7 @@ class Schema(Folder):
         yield json.loads(run("classify", MODELS / "valid_frame.off", self.folder / "points.txt", "-o", self.folder / "a", "--json", "-", "--certificate", self.folder / "p").stdout)
         yield json.loads(run("inspect", MODELS / "splines" / "two_cubes.mesh", "--json", "-").stdout)
         yield json.loads(run("inspect", MODELS / "splines" / "two_cubes.mesh", "--pair", "0,1", "--json", "-").stdout)
+        yield json.loads(run("convert", MODELS / "splines" / "two_cubes.mesh", self.folder / "w.vjson", "--weld", "1e-9", "--json", "-").stdout)
         yield json.loads(run("chain", MODELS / "patches" / "cube.itd", "--origin", "auto", "--json", "-").stdout)
         yield json.loads(run("render", self.folder / "e.json", "-o", self.folder / "e.png", "--grid", 3, "--size", "64,64", "--json", "-").stdout)
         curves, square = self.folder / "curves.json", self.folder / "square.itd"
@@ -137,7 +138,7 @@ class Schema(Folder):
         commands = re.findall(r"(?m)^  ([a-z-]+) {2,}", run("--help").stdout.split("Subcommands:")[1])
         self.assertIn("selftest", commands)
         with_json = [name for name in commands if "--json" in run(name, "--help").stdout]
-        self.assertEqual(sorted(with_json), ["boolean", "build", "certify", "chain", "classify", "cover", "info", "inspect", "intersect", "project", "render"])
+        self.assertEqual(sorted(with_json), ["boolean", "build", "certify", "chain", "classify", "convert", "cover", "info", "inspect", "intersect", "project", "render"])
 
     def test_every_key_is_required_and_no_other_is_allowed(self):
         document = support.report(MODELS / "m2_copied_face.off", MODELS / "valid_frame.off", MODELS / "unreadable_index.off")

@@ -52,6 +52,7 @@ def command_lines():
     yield ["convert", cube, "o.g2"]
     yield ["convert", "--pn", "tests/models/valid_nested_three.off", "o.vjson"]
     yield ["convert", "tests/models/splines/trimmed.itd", "o.vtu"]
+    yield ["convert", "tests/cli/welds/walls.itd", "o.vjson", "--weld", "1e-3"]
     yield ["intersect", cube, cube]
     yield ["project", "1,2,3", cube]
     yield ["project", "1/3,2,3", "tests/models/splines/objects.g2"]

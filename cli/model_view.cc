@@ -15,8 +15,9 @@ namespace veritope::cli {
 using namespace report;
 namespace {
 
-// Facets of curved faces are so small in pictures that their shades do not show.
+// Facets of curved faces are so small in pictures that their shades do not show, unless there are too many.
 constexpr double kFinenessOfPixels = 1.0 / 20000;
+constexpr std::size_t kManyPoints = std::size_t{1} << 21;
 constexpr Colour kSolidView{178, 190, 205};
 
 std::string content_of(const std::vector<ViewPart>& parts) {
@@ -26,6 +27,17 @@ std::string content_of(const std::vector<ViewPart>& parts) {
   std::string out = counted(triangles, "triangle", "triangles");
   if (lines != 0) out += ", " + counted(lines, "line", "lines");
   return out;
+}
+
+Result<std::vector<ViewPart>> parts_of_cells(const SplineModel& model, const VolumeLayout& layout,
+                                             const VolumeViewOptions& options, ViewKind kind) {
+  if (kind != ViewKind::kPng || options.chord) return volume_parts(model, layout, options);
+  VolumeViewOptions fine = options;
+  fine.fineness = kFinenessOfPixels;
+  fine.max_points = kManyPoints;
+  Result<std::vector<ViewPart>> parts = volume_parts(model, layout, fine);
+  if (parts || parts.error().code != Code::kOverLimit) return parts;
+  return volume_parts(model, layout, options);
 }
 
 Result<std::string> drawn_cells(std::vector<ViewPart> parts, const PictureOptions& look) {
@@ -85,9 +97,7 @@ Result<ModelView> view_of_cells(const SplineModel& model, const VolumeViewOption
     out.bytes = std::move(*bytes);
     return out;
   }
-  VolumeViewOptions parts_options = options;
-  if (kind == ViewKind::kPng) parts_options.fineness = kFinenessOfPixels;
-  Result<std::vector<ViewPart>> parts = volume_parts(model, *layout, parts_options);
+  Result<std::vector<ViewPart>> parts = parts_of_cells(model, *layout, options, kind);
   if (!parts) return parts.error();
   if (kind != ViewKind::kPng) out.content += ", " + content_of(*parts);
   Result<std::string> bytes = kind == ViewKind::kPng   ? drawn_cells(std::move(*parts), look)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Colour kNetsOfGltf{40, 40, 40};
 constexpr double kNetTubeRadius = 1.0 / 900;  // relative to the scene
-constexpr std::size_t kPointsOfTube = 14;
+constexpr std::size_t kMostTubes = 1'000'000;
 
 Box3d box_of_parts(const std::vector<ViewPart>& parts) {
   Box3d out = empty_box();
@@ -78,8 +78,8 @@ Colour net_colour(Colour colour) {
 Result<Scene> parts_scene(std::vector<ViewPart> parts) {
   std::size_t lines = 0;
   for (const ViewPart& part : parts) lines += part.net_lines.size();
-  if (lines * kPointsOfTube > internal::kMostViewPoints)
-    return Error{Code::kOverLimit, {}, "there are more than 2396745 lines of control nets"};
+  if (lines > kMostTubes)
+    return Error{Code::kOverLimit, {}, "the control nets have more than 1000000 lines"};
   Scene out;
   for (ViewPart& part : parts) {
     for (const auto& [a, b] : part.net_lines)

@@ -24,7 +24,7 @@ struct ViewPart {
 Colour net_colour(Colour colour);
 
 /// The parts as surfaces of a scene in their order, and after them their lines as tubes, which hide each other and are
-/// hidden as surfaces are. @error kOverLimit for tubes with more than 2^25 points
+/// hidden as surfaces are. @error kOverLimit for more than 1,000,000 lines
 Result<Scene> parts_scene(std::vector<ViewPart> parts);
 
 /// Wavefront OBJ with one group a part. Vertices have their colours as three more numbers, from 0 to 1, because a

@@ -17,6 +17,10 @@ const ExactVolume& volume_at(const SplineModel& model, std::size_t i) {
   return std::get<ExactVolume>(model.entities[i].shape);
 }
 
+bool is_trimmed(const SplineEntity& entity) {
+  return std::holds_alternative<TrimmedSurface>(entity.shape);
+}
+
 // Six times the volume that the triangles enclose, relative to a corner.
 double signed_volume(const ViewPart& part) {
   double sum = 0;
@@ -127,7 +131,8 @@ Status check_is_volumes(const SplineModel& model) {
     const auto* const volume = std::get_if<ExactVolume>(&entity.shape);
     if (volume == nullptr)
       return error_at_entity(Code::kBadArgument, i,
-                             std::string("a ") + spline_kind_name(entity) + ", not a volume");
+                             std::string("a ") + spline_kind_name(entity) +
+                                 (is_trimmed(entity) ? " surface" : "") + ", not a volume");
     if (volume->dimension() < 3)
       return error_at_entity(
           Code::kBadArgument, i,
@@ -181,10 +186,11 @@ Result<std::vector<ViewPart>> volume_parts(const SplineModel& model, const Volum
     Result<ViewPart> part = part_of(model, i, layout, chord, options.has_nets);
     if (!part) return part.error();
     points += part->points.size() + part->net_points.size();
-    if (points > kMostVolumeViewPoints)
-      return error_at_entity(
-          Code::kOverLimit, i,
-          "the cells up to this one give more than 33554432 points; a larger chord gives fewer");
+    if (points > options.max_points)
+      return error_at_entity(Code::kOverLimit, i,
+                             "the cells up to this one give more than " +
+                                 std::to_string(options.max_points) +
+                                 " points; a larger chord gives fewer");
     out.push_back(std::move(*part));
   }
   return out;

@@ -15,6 +15,8 @@
 
 namespace veritope {
 
+inline constexpr std::size_t kMostVolumeViewPoints = std::size_t{1} << 23;
+
 struct VolumeViewOptions {
   /// Every cell is moved by this factor times c_i - c. The centre c_i of a cell is the middle of the least box around its
   /// control points, and c is the mean of the centres, in which each cell counts once.
@@ -24,6 +26,7 @@ struct VolumeViewOptions {
   /// of the box around the control points.
   std::optional<double> chord;
   double fineness = 1e-3;
+  std::size_t max_points = kMostVolumeViewPoints;  ///< of all parts together
 };
 
 /// Where the cells are drawn.
@@ -44,13 +47,10 @@ Status check_is_volumes(const SplineModel& model);
 /// REQUIRES check_is_volumes(model), as do all below.
 Result<VolumeLayout> volume_layout(const SplineModel& model, double explode);
 
-/// The most points of all parts together.
-inline constexpr std::size_t kMostVolumeViewPoints = std::size_t{1} << 25;
-
 /// One part, "cell_i", for each cell: the triangles of its six faces, counterclockwise from outside if they enclose a
 /// positive volume after all are reversed or none; triangles with two equal corners are left out. The lines are those
 /// between neighbours among the control points.
-/// @error as tessellate, and kOverLimit for more than kMostVolumeViewPoints points in all
+/// @error as tessellate, and kOverLimit for more than options.max_points points
 Result<std::vector<ViewPart>> volume_parts(const SplineModel& model, const VolumeLayout& layout,
                                            const VolumeViewOptions& options);
 

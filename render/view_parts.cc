@@ -14,6 +14,7 @@ namespace {
 
 constexpr Colour kNetsOfGltf{40, 40, 40};
 constexpr double kNetTubeRadius = 1.0 / 900;  // relative to the scene
+constexpr std::uint8_t kOpacityWithNets = 176;
 constexpr std::size_t kMostTubes = 1'000'000;
 
 Box3d box_of_parts(const std::vector<ViewPart>& parts) {
@@ -84,8 +85,8 @@ Result<Scene> parts_scene(std::vector<ViewPart> parts) {
   for (ViewPart& part : parts) {
     for (const auto& [a, b] : part.net_lines)
       out.lines.push_back({{part.net_points[a], part.net_points[b]}, net_colour(part.colour)});
-    out.surfaces.push_back(
-        {std::move(part.points), std::move(part.triangles), {{part.colour}}, part.name});
+    const Paint paint{part.colour, part.net_lines.empty() ? std::uint8_t{255} : kOpacityWithNets};
+    out.surfaces.push_back({std::move(part.points), std::move(part.triangles), {paint}, part.name});
   }
   out.surfaces = with_solid_marks(std::move(out), kNetTubeRadius);
   out.lines.clear();

@@ -23,8 +23,8 @@ struct ViewPart {
 /// The colour of the lines of a part: darker than its triangles.
 Colour net_colour(Colour colour);
 
-/// The parts as surfaces of a scene in their order, and after them their lines as tubes, which hide each other and are
-/// hidden as surfaces are. @error kOverLimit for more than 1,000,000 lines
+/// The parts as surfaces of a scene in their order, and after them their lines as tubes. Parts with lines are
+/// transparent, so that lines within them show. @error kOverLimit for more than 1,000,000 lines
 Result<Scene> parts_scene(std::vector<ViewPart> parts);
 
 /// Wavefront OBJ with one group a part. Vertices have their colours as three more numbers, from 0 to 1, because a

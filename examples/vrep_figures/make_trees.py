@@ -46,7 +46,7 @@ def patch(f, n=4):
     return shape([3, 3], [n, n], lambda i, j: (3 * i / (n - 1), 3 * j / (n - 1), f(i, j)))
 
 
-def section(centre, side, up, half=0.5):
+def section(centre, side, up, half):
     """A square around a point, across a path: its sides are along two unit vectors."""
     return shape([1, 1], [2, 2], lambda i, j: [c + half * ((2 * i - 1) * s + (2 * j - 1) * u) for c, s, u in zip(centre, side, up)])
 
@@ -59,7 +59,7 @@ def through_itself():
         x, y = 4 * t * (t * t - 0.55), 4.5 * (1 - t * t)
         dx, dy = 4 * (3 * t * t - 0.55), -9 * t
         length = math.hypot(dx, dy)
-        sections.append(section((x, y, 0), (dy / length, -dx / length, 0), (0, 0, 1)))
+        sections.append(section((x, y, 0), (-dy / length, dx / length, 0), (0, 0, 1), 0.375))
     return {"op": "sweep", "sections": sections, "parameters": list(range(13)), "degree": 3, "mode": "interpolate"}
 
 
@@ -146,6 +146,7 @@ def duck():
 
 def trees():
     yield "1a", through_itself()
+    yield "1a_halves", {"op": "split", "axis": "w", "at": 6, "of": through_itself()}
     yield "1b", pulled()
     yield "1b_cut", {"op": "split", "axis": "v", "at": "1/2", "of": pulled()}
     yield "2", halves()
@@ -160,6 +161,7 @@ def trees():
     yield "9a", {"op": "cylinder", "radius": 1, "height": 2}
     yield "9b", {"op": "cone", "bottom": 1, "top": "1/3", "height": 2}
     yield "9c", {"op": "torus", "major": 3, "minor": 1}
+    yield "9c_cut", {"op": "split", "axis": "w", "at": 2, "of": {"op": "torus", "major": 3, "minor": 1}}
     yield "9d", {"op": "sphere", "radius": 1}
     yield "13", {"op": "tube", "surface": duck()}
     yield "13_cut", {"op": "split", "axis": "w", "at": 5, "of": {"op": "tube", "surface": duck()}}

@@ -6,11 +6,13 @@ import colorsys
 import json
 import re
 import struct
+import subprocess
+import sys
 import unittest
 import xml.etree.ElementTree
 
 from render_test import WHITE, pixels
-from support import MODELS, Folder, run
+from support import MODELS, ROOT, Folder, run
 
 CUBES = "cubes.vjson"  # two cells, which TWO makes
 TWO = {"op": "glue", "of": [{"op": "box", "min": [k, 0, 0], "max": [k + 1, 1, 1]} for k in (0, 1)]}
@@ -352,6 +354,16 @@ class Cells(Case):
         (self.folder / "a.vjson").write_text(json.dumps(document))
         self.render("a.vjson", "-o", "q.obj", "--nets")
         self.assertEqual((self.folder / "p.obj").read_text(), (self.folder / "q.obj").read_text())
+
+
+class Figures(Case):
+    """examples/vrep_figures: tests/paper_examples_test.py compares what its other program prints."""
+
+    def test_the_trees_are_those_of_the_script(self):
+        folder = ROOT / "examples" / "vrep_figures"
+        subprocess.run([sys.executable, folder / "make_trees.py", self.folder], check=True)
+        made = {name: (self.folder / name).read_text() for name in self.listing()}
+        self.assertEqual(made, {path.name: path.read_text() for path in folder.glob("figure*.json")})
 
 
 class OtherSolids(Case):

@@ -135,7 +135,7 @@ TEST(CellColour, OfThirtyCellsAreDifferentAndRepeatThen) {
   EXPECT_EQ(seen.size(), 30u);
 }
 
-TEST(ViewParts, ScenesHaveTubesForNetsAfterTheSurfaces) {
+TEST(ViewParts, ScenesHaveTubesForNetsAfterTransparentSurfaces) {
   const SplineModel model =
       model_of_cells({box_cell({0, 0, 0}, {1, 1, 1}), box_cell({1, 0, 0}, {2, 1, 1})});
   VolumeViewOptions options;
@@ -145,10 +145,19 @@ TEST(ViewParts, ScenesHaveTubesForNetsAfterTheSurfaces) {
   EXPECT_TRUE(scene.lines.empty());
   ASSERT_EQ(scene.surfaces.size(), 4u);
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(scene.surfaces[i].paints, (std::vector<Paint>{{cell_colour(i)}}));
+    EXPECT_EQ(scene.surfaces[i].paints[0].colour, cell_colour(i));
+    EXPECT_LT(scene.surfaces[i].paints[0].opacity, 255);
     EXPECT_EQ(scene.surfaces[2 + i].paints, (std::vector<Paint>{{net_colour(cell_colour(i))}}));
     EXPECT_EQ(scene.surfaces[2 + i].triangles.size(), 12 * 24u);
   }
+}
+
+TEST(ViewParts, ScenesWithoutNetsAreOpaque) {
+  const SplineModel model = model_of_cells({box_cell({0, 0, 0}, {1, 1, 1})});
+  const auto parts = volume_parts(model, volume_layout(model, 0).value(), {}).value();
+  const Scene scene = parts_scene(parts).value();
+  ASSERT_EQ(scene.surfaces.size(), 1u);
+  EXPECT_EQ(scene.surfaces[0].paints, (std::vector<Paint>{{cell_colour(0), 255}}));
 }
 
 TEST(ViewParts, OfNothingAreRefusedAsGltf) {

@@ -89,16 +89,13 @@ std::string take_factor(const std::string& text, std::optional<Rational>& factor
 }
 
 void declare(OptionSet& set, RenderOptions& o) {
-  declare_file(set, "MODEL", o.input,
-               "a mesh, splines that bound a solid, volumes, or an\nexpression");
-  set.output("-o,--output", o.output,
-             "write the picture: .png, or a file for viewers: .vtu,\n.gltf, .obj");
+  declare_file(set, "MODEL", o.input, "a mesh, surfaces, volumes or an expression");
+  set.output("-o,--output", o.output, "write the picture: .png; for viewers .vtu, .gltf, .obj");
   set.option(
       "--explode", "K", [&o](const std::string& t) { return take_factor(t, o.explode); },
-      "volumes: move the cells apart, by K times their distance\nfrom the middle (0)");
+      "volumes: move cells apart, by K times their offset (0)");
   set.flag("--nets", o.nets, "volumes: draw control nets");
-  set.length("--chord", "H", o.chord,
-             "volumes: the distance of chords to aim at in .png, .gltf\nand .obj");
+  set.length("--chord", "H", o.chord, "volumes: the distance of chords to aim at");
   set.option(
       "--size", "W,H", [&o](const std::string& t) { return take_size(t, o.size); },
       "pixels (1200,900)");
@@ -106,10 +103,10 @@ void declare(OptionSet& set, RenderOptions& o) {
       "--view", "X,Y,Z", [&o](const std::string& t) { return take_view(t, o.view); },
       "the direction of view (-5,8,-5)");
   set.number("--grid", o.grid, {1, kMostGridSide},
-             "show the points of an N x N x N grid that are in the\nsolid, and count them");
+             "count and show the points of an N^3 grid in the solid");
   set.option(
       "--bounds", "BOX", [&o](const std::string& t) { return take_box(t, o.bounds); },
-      "X0,Y0,Z0,X1,Y1,Z1: show, or ask, this box only\n(MODEL's box)");
+      "X0,Y0,Z0,X1,Y1,Z1: this box only (MODEL's box)");
   declare_json(set, o.json, "write the counts");
   declare_jobs(set, o.jobs);
   set.flag("--no-check", o.no_check, "do not run veritope-check");

@@ -15,18 +15,19 @@
 
 namespace veritope {
 
+/// The most points of all parts together, unless options say less.
 inline constexpr std::size_t kMostVolumeViewPoints = std::size_t{1} << 23;
 
 struct VolumeViewOptions {
-  /// Every cell is moved by this factor times c_i - c. The centre c_i of a cell is the middle of the least box around its
-  /// control points, and c is the mean of the centres, in which each cell counts once.
+  /// Every cell is moved by this factor times c_i - c. The centre c_i of a cell is the middle of the least box around
+  /// its control points, and c is the mean of the centres, in which each cell counts once.
   double explode = 0;
   bool has_nets = false;
-  /// The aimed-at distance of chords from faces, see ViewOptions::chord; by default the share `fineness` of the diagonal
-  /// of the box around the control points.
+  /// The aimed-at distance of chords from faces, see ViewOptions::chord; by default the share `fineness` of the
+  /// diagonal of the box around the control points.
   std::optional<double> chord;
   double fineness = 1e-3;
-  std::size_t max_points = kMostVolumeViewPoints;  ///< of all parts together
+  std::size_t max_points = kMostVolumeViewPoints;
 };
 
 /// Where the cells are drawn.

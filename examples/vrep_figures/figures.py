@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""figures.py VERITOPE [PICTURES [FIGURE...]]: builds the V-models of the figures of [ME16], decides and inspects them, and draws them into
-the folder PICTURES, with the commands that README.md lists. Prints what was found; expected.txt is the output for all figures."""
+"""figures.py VERITOPE [PICTURES [FIGURE...]]: the V-models of the figures of [ME16].
+
+Builds, decides and inspects them, and draws them into the folder PICTURES with the options that README.md lists. Prints
+what was found; expected.txt is the output for all figures.
+"""
 import json
 import pathlib
 import subprocess
@@ -38,7 +41,8 @@ class Figures:
         self.program, self.folder, self.pictures = program, pathlib.Path(folder), pictures
 
     def run(self, *arguments, allowed=(0,)):
-        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, check=False)
+        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder,
+                              check=False)
         if done.returncode not in allowed:
             sys.exit(f"{' '.join(map(str, arguments))}: status {done.returncode}\n{done.stdout}{done.stderr}")
         return done.stdout
@@ -64,21 +68,25 @@ class Figures:
     def line(self, name, model):
         report = self.certify(model)
         n = json.loads(self.run("inspect", model, "--json", "-"))["counts"]
-        verdict = "not VALID" if report["verdict"] != "VALID" else "VALID" if report["regular"] else "VALID, not regular"
-        print(f"{name:10} {verdict:19} {counted(n['cells'], 'cell')}, {n['v_surfaces']} V-surfaces ({n['internal']} internal), {n['half_v_surfaces']} half, "
+        is_valid = report["verdict"] == "VALID"
+        verdict = "not VALID" if not is_valid else "VALID" if report["regular"] else "VALID, not regular"
+        print(f"{name:10} {verdict:19} {counted(n['cells'], 'cell')}, "
+              f"{n['v_surfaces']} V-surfaces ({n['internal']} internal), {n['half_v_surfaces']} half, "
               f"{n['v_curves']} V-curves, {n['v_points']} V-points")
-        for s in (report["singular"] or []) if report["verdict"] == "VALID" else []:
-            ranges = [("%s = %s" % (axis, short(low)) if low == high else "%s in [%s, %s]" % (axis, short(low), short(high)))
+        for s in (report["singular"] or []) if is_valid else []:
+            ranges = [f"{axis} = {short(low)}" if low == high else f"{axis} in [{short(low)}, {short(high)}]"
                       for axis, (low, high) in zip("uvw", s["box"])]
             print(f"{'':10} singular {s['kind']} of cell {s['cell']}: {', '.join(ranges)}")
 
     def details_1a_halves(self, model):
-        """Each half of the bar is regular and does not meet itself: the whole is regular, and only runs through itself."""
+        """Each half of the bar is regular and does not meet itself: so the whole is regular."""
         for cell in (0, 1):
-            (self.folder / "half.json").write_text(json.dumps({"format": "veritope-tree-1", "root": {"op": "file", "path": model, "entity": cell}}))
+            root = {"op": "file", "path": model, "entity": cell}
+            (self.folder / "half.json").write_text(json.dumps({"format": "veritope-tree-1", "root": root}))
             self.run("build", "half.json", "-o", "half.vjson")
             report = self.certify("half.vjson")
-            print(f"{'':10} half {cell} alone: {report['verdict']}, {'regular' if report['regular'] else 'not regular'}")
+            regular = "regular" if report["regular"] else "not regular"
+            print(f"{'':10} half {cell} alone: {report['verdict']}, {regular}")
 
     def details_1b(self, model):
         """The six faces bound a box, although the cell folds."""
@@ -93,10 +101,12 @@ class Figures:
         found = json.loads(self.run("inspect", model, "--json", "-"))
         at_point = {point["id"]: len(point["v_curves"]) for point in found["v_points"]}
         inner = [curve for curve in found["v_curves"] if len(curve["cells"]) == 3]
-        outer = next(curve for curve in found["v_curves"] if len(curve["cells"]) == 1 and all(at_point[p] == 3 for p in curve["points"]))
+        outer = next(curve for curve in found["v_curves"]
+                     if len(curve["cells"]) == 1 and all(at_point[p] == 3 for p in curve["points"]))
         for what, curve in [("the inner V-curve", *inner), ("an outer V-curve", outer)]:
-            print(f"{'':10} {what}: {len(curve['v_surfaces'])} V-surfaces, {curve['half_v_surfaces']} half, {counted(len(curve['cells']), 'cell')}; "
-                  f"its V-points are in {' and '.join(str(at_point[p]) for p in curve['points'])} V-curves")
+            points = " and ".join(str(at_point[p]) for p in curve["points"])
+            print(f"{'':10} {what}: {len(curve['v_surfaces'])} V-surfaces, {curve['half_v_surfaces']} half, "
+                  f"{counted(len(curve['cells']), 'cell')}; its V-points are in {points} V-curves")
 
 
 def counted(n, what):

@@ -48,7 +48,9 @@ def patch(f, n=4):
 
 def section(centre, side, up, half):
     """A square around a point, across a path: its sides are along two unit vectors."""
-    return shape([1, 1], [2, 2], lambda i, j: [c + half * ((2 * i - 1) * s + (2 * j - 1) * u) for c, s, u in zip(centre, side, up)])
+    def at(i, j):
+        return [c + half * ((2 * i - 1) * s + (2 * j - 1) * u) for c, s, u in zip(centre, side, up)]
+    return shape([1, 1], [2, 2], at)
 
 
 def through_itself():
@@ -95,7 +97,8 @@ def bowed_faces():
     def point(u, v, w):
         bow = [x * (2 - x) for x in (u, v, w)]  # the middle control points of an axis, 0 to 2
         x, y, z = 1.5 * u, 1.5 * v, 1.5 * w
-        return x + 0.6 * (1 - u) * (bow[1] + bow[2]), y - 0.45 * bow[0] * (v == 0), z + 0.5 * (bow[0] * bow[1]) * (w == 2)
+        return (x + 0.6 * (1 - u) * (bow[1] + bow[2]), y - 0.45 * bow[0] * (v == 0),
+                z + 0.5 * (bow[0] * bow[1]) * (w == 2))
 
     def face(axis, end):
         def at(i, j):
@@ -118,8 +121,9 @@ def swept():
 
 def duck():
     """Closed rings along a spine: four cubic arcs each, which join smoothly."""
-    spine = [(-5.0, 1.9, 0.2), (-4.4, 1.5, 0.6), (-3.3, 0.6, 1.2), (-1.6, 0.0, 1.7), (0.4, 0.0, 1.75), (1.9, 0.9, 1.3), (2.4, 2.3, 0.8),
-             (2.35, 3.4, 0.75), (2.7, 4.3, 1.0), (3.7, 4.6, 0.85), (4.6, 4.35, 0.42), (5.4, 4.15, 0.4), (5.9, 4.1, 0.3)]
+    spine = [(-5.0, 1.9, 0.2), (-4.4, 1.5, 0.6), (-3.3, 0.6, 1.2), (-1.6, 0.0, 1.7), (0.4, 0.0, 1.75), (1.9, 0.9, 1.3),
+             (2.4, 2.3, 0.8), (2.35, 3.4, 0.75), (2.7, 4.3, 1.0), (3.7, 4.6, 0.85), (4.6, 4.35, 0.42),
+             (5.4, 4.15, 0.4), (5.9, 4.1, 0.3)]
     arm = 9 / 16
 
     def ring(k):
@@ -141,7 +145,8 @@ def duck():
         begin = [(p + q) / 2 for p, q in zip(handles[0], handles[-1])]
         return [begin, *handles, begin]
     rings = [ring(k) for k in range(len(spine))]
-    return shape([3, 3], [10, len(spine)], lambda i, j: rings[j][i], [[0] * 4 + [1, 1, 2, 2, 3, 3] + [4] * 4, clamped(len(spine), 3)])
+    knots = [[0] * 4 + [1, 1, 2, 2, 3, 3] + [4] * 4, clamped(len(spine), 3)]
+    return shape([3, 3], [10, len(spine)], lambda i, j: rings[j][i], knots)
 
 
 def trees():

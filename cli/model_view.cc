@@ -112,6 +112,8 @@ Result<ModelView> view_of_solid(const ModelFile& model, ViewKind kind) {
   ModelView out;
   const auto* const mesh = std::get_if<MeshFile>(&model);
   const auto* const splines = std::get_if<SplineFile>(&model);
+  if (mesh == nullptr && splines == nullptr)
+    return bad_argument("models of this kind have no files for viewers");
   out.content = mesh != nullptr ? counted(mesh->mesh.faces.size(), "triangle", "triangles")
                                 : counted(splines->model.entities.size(), "entity", "entities");
   Result<std::string> bytes = mesh != nullptr ? mesh_view(mesh->mesh, kind)

@@ -26,8 +26,8 @@ struct ModelView {
 Result<ModelView> view_of_cells(const SplineModel& model, const VolumeViewOptions& options,
                                 ViewKind kind, const PictureOptions& look);
 
-/// A solid in one colour: a mesh as it is, splines as convert shows them. REQUIRES a mesh or splines, and no kPng.
-/// @error as parts_gltf and view_bytes
+/// A solid in one colour: a mesh as it is, splines as convert shows them. REQUIRES a kind other than kPng.
+/// @error as parts_gltf and view_bytes; kBadArgument for a model that is neither a mesh nor splines
 Result<ModelView> view_of_solid(const ModelFile& model, ViewKind kind);
 
 }  // namespace veritope::cli

@@ -52,7 +52,7 @@ class Figures:
         return report
 
     def build(self, name):
-        self.run("build", HERE / f"figure{name}.json", "-o", f"figure{name}.vjson")
+        self.run("build", HERE / f"figure{name}.tree", "-o", f"figure{name}.vjson")
         return f"figure{name}.vjson"
 
     def show(self, name):

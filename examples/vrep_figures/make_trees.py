@@ -176,7 +176,7 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     for name, root in trees():
         text = json.dumps({"format": "veritope-tree-1", "root": root}, separators=(",", ":"))
-        (folder / f"figure{name}.json").write_text(text + "\n", encoding="utf-8")
+        (folder / f"figure{name}.tree").write_text(text + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -317,6 +317,8 @@ class Cells(Case):
             (self.folder / name).write_text("old")
         far = self.build("far", {"op": "glue", "of": [{"op": "box", "min": ["-1e308", 0, 0], "max": ["-9e307", 1, 1]}, {"op": "box", "min": ["9e307", 0, 0], "max": ["1e308", 1, 1]}]})
         self.assertIn("far.vjson: entity 0: it would be moved beyond binary64", self.render(far, "-o", "p.png", "--explode", 3, status=4))
+        self.render(far, "-o", "q.png", "--nets", "--size", "64,64")
+        (self.folder / "q.png").unlink()
         self.assertIn("too large for binary32", self.render(far, "-o", "p.gltf", status=4))
         (self.folder / "mixed.vjson").write_text(self.mixed())
         for option in (["--nets"], ["--explode", 1], ["--chord", 1]):
@@ -363,7 +365,7 @@ class Figures(Case):
         folder = ROOT / "examples" / "vrep_figures"
         subprocess.run([sys.executable, folder / "make_trees.py", self.folder], check=True)
         made = {name: (self.folder / name).read_text() for name in self.listing()}
-        self.assertEqual(made, {path.name: path.read_text() for path in folder.glob("figure*.json")})
+        self.assertEqual(made, {path.name: path.read_text() for path in folder.glob("figure*.tree")})
 
 
 class OtherSolids(Case):

@@ -91,7 +91,7 @@ class Figures:
     def details_1b(self, model):
         """The six faces bound a box, although the cell folds."""
         [code] = {d["code"] for d in self.certify(model)["defects"]}
-        print(f"{'':10} {code}")
+        print(f"{'':10} it {'folds' if code in ('folded', 'volume-folded') else code}")
         self.run("convert", model, "faces.vjson", "--faces")
         report = self.certify("faces.vjson")
         print(f"{'':10} its six faces: {report['verdict']}")

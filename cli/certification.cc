@@ -319,6 +319,7 @@ class Certification {
     const CertifyOptions& o = settings_.certify;
     if (settings_.reading.as_indexed) out += "--as-indexed ";
     if (o.orientation == PatchOrientation::kAuto) out += "--orient auto ";
+    if (o.wants_regular) out += "--regular ";
     if (o.with_collar) out += "--collar ";
     if (o.tolerance) out += "--tolerance " + short_decimal(*o.tolerance, 17) + " ";
     if (o.max_cells) out += "--max-cells " + std::to_string(*o.max_cells) + " ";

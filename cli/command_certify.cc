@@ -35,7 +35,7 @@ struct CertifyFilesOptions {
   bool no_check = false, quiet = false;
   std::optional<int> jobs;  ///< nothing: all of the machine, one for small meshes
   // spline files
-  bool orient_auto = false, collar = false;
+  bool orient_auto = false, regular = false, collar = false;
   std::optional<double> tolerance;
   LimitOptions limits;
 };
@@ -55,6 +55,7 @@ void declare(OptionSet& set, CertifyFilesOptions& o) {
   declare_orientation(set, o.orient_auto, "patches, faces");
   set.length("--tolerance", "EPS", o.tolerance,
              "patches: relative width of the volume's interval (1e-5)");
+  set.flag("--regular", o.regular, "volumes: INVALID where the Jacobian determinant is 0");
   set.flag("--collar", o.collar, "patches: find a collar, and certify it, too");
   set.flag("--no-check", o.no_check, "do not run veritope-check, and say so");
   set.flag("-q,--quiet", o.quiet, "the verdict lines only, as a table");
@@ -190,6 +191,7 @@ CertifySettings settings_of(const CertifyFilesOptions& options) {
   out.spares_threads = !options.jobs;
   if (options.max_defects) out.certify.max_findings = *options.max_defects;
   if (options.orient_auto) out.certify.orientation = PatchOrientation::kAuto;
+  out.certify.wants_regular = options.regular;
   out.certify.with_collar = options.collar;
   out.certify.tolerance = options.tolerance;
   out.certify.max_cells = options.limits.max_cells;

@@ -7,7 +7,7 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<PatchExplanation, 16> kExplanations = {{
+constexpr std::array<PatchExplanation, 22> kExplanations = {{
     {{"patches-crossing", "patches that cross",
       "Two parts of patches, or of one patch, that are different places of the surface have a "
       "common point.",
@@ -165,9 +165,9 @@ constexpr std::array<PatchExplanation, 16> kExplanations = {{
     /   \
    /     \)"},
     {{"left-handed", "cell that is left-handed",
-      "The Jacobian determinant of a volume is negative: its axes u, v, w are oriented like a left "
-      "hand. As a cell of a V-model it would count negative. Status 3 without --orient auto, which "
-      "reverses such cells and lists them.",
+      "The Jacobian determinant of a volume is negative at a point: its axes u, v, w are oriented "
+      "like a left hand. As a cell of a V-model it would count negative. Status 1 without --orient "
+      "auto, which reverses such cells and lists them.",
       "Two axes that were exchanged, a mirrored copy, a writer with another order of axes.",
       "veritope certify --orient auto FILE; or exchange two axes of the volume.",
       "MFEM, Gmsh: inverted element, negative Jacobian"},
@@ -188,7 +188,7 @@ constexpr std::array<PatchExplanation, 16> kExplanations = {{
   +-----+-----+    the upper face of 3 has two parts
   |     3     |
   +-----------+)"},
-    {{"volume-folded", "volume that folds",
+    {{"folded", "volume that folds",
       "The map of a volume keeps the orientation of space at one point of its domain and reverses "
       "it at another: its Jacobian determinant has both signs. Such a volume is not mapped one to "
       "one, whatever its boundary faces do. The message has the parameters of both points. Looked "
@@ -206,6 +206,75 @@ constexpr std::array<PatchExplanation, 16> kExplanations = {{
   |  x '.    x: the upper right corner, pulled past
   |      '.  the diagonal; near it the cell is
   +--------+ inside out)"},
+    {{"overlap", "cells that overlap",
+      "Two points of the cells, one of them inside of its cell, are one point of space. The cells "
+      "overlap, or one cell runs through itself. Status 1, with a certificate that has the one "
+      "point exactly and the other one exactly or in a small box of parameters.",
+      "Cells that were placed into one another and not united, a cell twice, a sweep that meets "
+      "itself, a sector of more than a full turn.",
+      "Move the cells apart, or leave out what is there twice.",
+      "MFEM, Gmsh: not tested (each cell is looked at alone); Open CASCADE: self-interference"},
+     R"(  +------+
+  |   +--+---+
+  |   |x |   |    x lies in both cells
+  +---+--+   |
+      +------+)"},
+    {{"flat", "cell without volume",
+      "The Jacobian determinant of a cell is zero on a whole knot span: its image is a surface, a "
+      "curve or a point there. Status 1.",
+      "Two opposite faces that are equal, control points that were projected or merged.",
+      "Leave out the cell, or the knot span.",
+      "MFEM, Gmsh: zero Jacobian; finite elements: degenerate element"},
+     R"(   ________
+  /_______/|    the part on the right has no
+          ||    thickness)"},
+    {{"curve-nonmanifold", "curve that too many faces share",
+      "More than two sides of faces that are not glued pass one arc of a curve, so that the "
+      "boundary is no surface there. Faces are glued that are equal as wholes; a face that is a "
+      "part of another one, or the same set of points with other parameters, is not. Status 1.",
+      "Cells that share only an edge, walls of neighbours that are nearly equal, a cell that was "
+      "split beside one that was not.",
+      "veritope convert --weld EPS where walls are nearly equal; split the neighbour where a face "
+      "is a part of another; move cells apart, or let them overlap and unite them, where they "
+      "share only an edge.",
+      "Parasolid: non-manifold edge; MFEM, deal.II: hanging node or non-conforming interface"},
+     R"(  +-----+
+  |     |
+  +-----x-----+    two cells share the edge x alone
+        |     |
+        +-----+)"},
+    {{"point-nonmanifold", "point at which the boundary meets itself",
+      "Corners of border faces that are no neighbours around a point, by faces and edges, are at "
+      "one point. Status 1.",
+      "Cells that share only a corner; two gaps between cells that meet in a corner.",
+      "Move the corners apart, or fill the gap.",
+      "Parasolid: non-manifold vertex; MFEM: not tested"},
+     R"(  +-----+
+  |     |
+  +-----x-----+    two cells share the corner x alone
+       |      |
+       +------+)"},
+    {{"singular", "point where the Jacobian determinant is zero",
+      "The determinant of a cell is zero at a point, so that the model is not regular. Status 1 "
+      "with --regular; without it such a model may be VALID, and the places are listed.",
+      "A face that is collapsed to an axis or a pole, a smooth section that was cut into four "
+      "sides, repeated control points.",
+      "Leave --regular out, or build the shape of more cells (veritope build).",
+      "MFEM, Gmsh: zero Jacobian at a node"},
+     R"(     _____
+    /     \
+   |   x   |    all lines of one parameter meet in x
+    \_____/)"},
+    {{"contact", "cells that touch",
+      "Two faces of cells touch in a point or along a part that neither's sides or corners share. "
+      "The cells may be valid once they are split there: faces are glued as wholes only. Status 3.",
+      "Cells that were placed side by side and not cut to fit.",
+      "Split the cells so that whole faces are equal, or move them apart.",
+      "MFEM, deal.II: hanging node or non-conforming interface"},
+     R"(    +---+
+    |   |          the small cell stands on a part
+  +-+---+--+       of the large one's face
+  +--------+)"},
     {{"not-certified", "neither proved nor refuted",
       "Near `where` no box with two centres sees the surface from both sides: a contact, a fold, "
       "a cusp, a vertex whose normals lie in no open half-space, or a gap below the least size. "

@@ -53,6 +53,34 @@ Json patch_defect_json(const Finding& f) {
           {"fold", fold_json(f)}};
 }
 
+// A null for each place of which something is not known.
+Json places_json(const Finding& f, Json (*of_place)(const CellPlace&)) {
+  Json out = Json::array();
+  for (const CellPlace& p : f.witness.cells) out.push_back(of_place(p));
+  return out;
+}
+Json box_of_parameters(const CellPlace& p) {
+  if (!p.box) return nullptr;
+  Json out = Json::array();
+  for (const auto& [lo, hi] : *p.box)
+    out.push_back(Json::array({fraction_text(lo), fraction_text(hi)}));
+  return out;
+}
+Json vmodel_defect_json(const Finding& f) {
+  return {{"code", f.code},
+          {"message", f.message},
+          {"cells", places_json(f, [](const CellPlace& p) { return Json(p.cell); })},
+          {"parts", places_json(f, [](const CellPlace& p) { return Json(p.part); })},
+          {"parameters", places_json(f,
+                                     [](const CellPlace& p) {
+                                       return p.parameters ? exact_json(*p.parameters)
+                                                           : Json(nullptr);
+                                     })},
+          {"boxes", places_json(f, box_of_parameters)},
+          {"point", f.witness.point ? exact_json(f.witness.point->at) : Json(nullptr)},
+          {"fold", fold_json(f)}};
+}
+
 Json reason_json(const Finding& f) {
   return {{"code", f.code},
           {"message", f.message},
@@ -148,7 +176,9 @@ void put_patch_facts(const FileReport& report, Json& out) {
   out["place"] = box_json(report.fault ? report.fault->place.box : std::nullopt);
   out["counts"] = counts_json(report, f);
   out["defects"] = Json::array();
-  for (const Finding& d : report.defects) out["defects"].push_back(patch_defect_json(d));
+  for (const Finding& d : report.defects)
+    out["defects"].push_back(f.vmodel && !d.witness.cells.empty() ? vmodel_defect_json(d)
+                                                                  : patch_defect_json(d));
   out["reasons"] = Json::array();
   for (const Finding& r : report.reasons) out["reasons"].push_back(reason_json(r));
   out["open_sides"] = open_sides_json(f);

@@ -25,6 +25,7 @@ import patch_liars  # noqa: E402
 import points_liars  # noqa: E402
 import reversed_liars  # noqa: E402
 import sheet_liars  # noqa: E402
+import vmodel_invalid_liars  # noqa: E402
 import vmodel_liars  # noqa: E402
 
 BIN = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 and pathlib.Path(sys.argv[1]).is_dir() else ROOT / "build" / "bin"
@@ -64,6 +65,7 @@ LIARS = {
     "collar-1": of_patches(collar_liars.lies_about_a_collar),
     "collar-2": of_patches(collar_liars.lies_about_a_collar_2),
     "vmodel-1": of_patches(vmodel_liars.vmodel_attacks),
+    "vmodel-invalid-1": of_patches(vmodel_invalid_liars.invalid_cells_attacks),
 }
 
 

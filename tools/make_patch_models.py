@@ -190,13 +190,31 @@ def cell(corner, axes=(0, 1, 2)):
     return f"[OBJECT MODEL\n [TRIVAR BEZIER 2 2 2 E3\n{rows}]\n]\n"
 
 
+def plate_with_knots(low, high, inner=""):
+    """A box as one volume of degree 1; inner: knots of u and v, which are x and y."""
+    steps = [low[0], *map(Fraction, inner.split()), high[0]]
+    points = " ".join(f"[{x} {y} {z}]" for z in (low[2], high[2]) for y in steps for x in steps)
+    knots = " ".join(map(str, [low[0], *steps, high[0]]))
+    n = len(steps)
+    return (f"[OBJECT MODEL\n [TRIVAR BSPLINE {n} {n} 2 2 2 2 E3 [KV {knots}] [KV {knots}] [KV 0 0 1 1]\n"
+            f"  {points}]\n]\n")
+
+
 def brick(low, high, knots_of_v="0 0 1 1"):
     """A box as one volume of degree 1; an inner knot of v is in the middle."""
     n = len(knots_of_v.split()) - 2
     ys = [low[1] + Fraction(j * (high[1] - low[1]), n - 1) for j in range(n)]
-    points = " ".join(f"[{x} {y} {z}]" for z in (low[2], high[2]) for y in ys for x in (low[0], high[0]))
+    decimal = lambda x: str(float(x)) if Fraction(x).denominator > 1 else str(x)
+    points = " ".join("[" + " ".join(map(decimal, (x, y, z))) + "]"
+                      for z in (low[2], high[2]) for y in ys for x in (low[0], high[0]))
     return (f"[OBJECT MODEL\n [TRIVAR BSPLINE 2 {n} 2 2 2 2 E3 [KV 0 0 1 1] [KV {knots_of_v}] [KV 0 0 1 1]\n"
             f"  {points}]\n]\n")
+
+
+def wedge():
+    """The prism over a triangle as one volume: the face u = 0 is collapsed to the edge x = y = 0."""
+    points = " ".join(f"[{x} {y} {z}]" for z in (0, 1) for x, y in ((0, 0), (1, 0), (0, 0), (0, 1)))
+    return f"[OBJECT MODEL\n [TRIVAR BEZIER 2 2 2 E3\n  {points}]\n]\n"
 
 
 def volume_models():
@@ -205,8 +223,21 @@ def volume_models():
     yield "left_handed_smallest", cell((1, 1, 1), axes=(1, 0, 2))
     yield "left_handed_nearest_valid", cell((1, 1, 1))
     cubes = [brick((0, 0, 0), (1, 1, 1)), brick((0, 1, 0), (1, 2, 1))]
-    yield "partial_contact_smallest", "".join([*cubes, brick((1, 0, 0), (2, 2, 1), knots_of_v="0 0 1 2 2")])
-    yield "partial_contact_nearest_valid", "".join([*cubes, brick((1, 0, 0), (2, 1, 1)), brick((1, 1, 0), (2, 2, 1))])
+    yield "curve_nonmanifold_split", "".join([*cubes, brick((1, 0, 0), (2, 2, 1), knots_of_v="0 0 1 2 2")])
+    yield "curve_nonmanifold_nearest_valid", "".join([*cubes, brick((1, 0, 0), (2, 1, 1)),
+                                                      brick((1, 1, 0), (2, 2, 1))])
+    one = brick((0, 0, 0), (1, 1, 1))
+    yield "curve_nonmanifold_smallest", one + brick((1, 1, 0), (2, 2, 1))
+    yield "point_nonmanifold_smallest", one + brick((1, 1, 1), (2, 2, 2))
+    yield "overlap_smallest", one + brick((Fraction(1, 2),) * 3, (2, 2, 2))
+    yield "overlap_nearest_valid", one + brick((1, 0, 0), (2, 1, 1))
+    yield "flat_smallest", one + brick((0, 0, 1), (1, 1, 1))
+    on, above = [brick((1, 1, z), (2, 2, 2)) for z in (1, Fraction(1001, 1000))]
+    yield "partial_contact_smallest", plate_with_knots((0, 0, 0), (3, 3, 1), "1 2") + on
+    yield "partial_contact_nearest_valid", plate_with_knots((0, 0, 0), (3, 3, 1), "1 2") + above
+    yield "contact_smallest", plate_with_knots((0, 0, 0), (3, 3, 1)) + on
+    yield "contact_nearest_valid", plate_with_knots((0, 0, 0), (3, 3, 1)) + above
+    yield "wedge", wedge()
 
 
 def models():

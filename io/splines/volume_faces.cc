@@ -4,10 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "interval/interval.h"
+#include "interval/ring_numbers.h"
+#include "interval/upward.h"
 #include "robust/base/entity_error.h"
+#include "robust/common_bits.h"
 #include "solids/patches/patch_complex.h"
 #include "solids/patches/patch_sources.h"
 #include "splines/bezier_calculus.h"
@@ -22,41 +27,65 @@ namespace {
 using Piece = BezierVolume<Rational>;
 using Pieces = BezierPieces<Rational, 3>;
 
+// Exact signs are computed where the numbers, brought to integers, have at most this many bits.
+constexpr std::uint64_t kMostBitsOfSign = 1 << 16;
+
 // The derivative at the middle, times the squared weight there.
-PatchPoint direction(const Piece& piece, std::size_t axis) {
-  std::array<Rational, 3> middle;
-  middle.fill(Rational(Integer(1), Integer(2)));
+template <Ring R>
+std::array<R, 3> direction(const Bezier<R, 3>& piece, std::size_t axis) {
+  std::array<R, 3> middle;
+  middle.fill(RingNumbers<R>::ratio(1, 2));
   if (!piece.is_rational()) {
     const auto d = evaluate(derivative(piece, axis), middle);
     return {d[0], d[1], d[2]};
   }
-  const Piece points = numerators(piece);
-  const auto weights = weight(piece);
+  const auto points = numerators(piece), weights = weight(piece);
   const auto p = evaluate(points, middle), dp = evaluate(derivative(points, axis), middle);
-  const Rational w = evaluate(weights, middle)[0];
-  const Rational dw = evaluate(derivative(weights, axis), middle)[0];
-  PatchPoint out;
+  const R w = evaluate(weights, middle)[0];
+  const R dw = evaluate(derivative(weights, axis), middle)[0];
+  std::array<R, 3> out;
   for (std::size_t k = 0; k < 3; ++k) out[k] = w * dp[k] - dw * p[k];
   return out;
 }
 
-// The sign of the Jacobian determinant at the middle.
-Sign handedness(const Piece& piece) {
-  const PatchPoint a = direction(piece, 0), b = direction(piece, 1), c = direction(piece, 2);
-  Rational det;
+// The Jacobian determinant at the middle, times a positive factor.
+template <Ring R>
+R determinant_at_middle(const Bezier<R, 3>& piece) {
+  const auto a = direction(piece, 0), b = direction(piece, 1), c = direction(piece, 2);
+  R det = R();
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    det += a[k] * (b[i] * c[j] - b[j] * c[i]);
+    internal::accumulate(det, a[k] * (b[i] * c[j] - b[j] * c[i]));
   }
-  return det.sign();
+  return det;
 }
 
-// If the first piece with a sign other than 0 is left-handed, mirrors all pieces and returns true.
-bool mirror_left_handed(std::vector<Piece>& pieces) {
-  const auto tells = std::find_if(pieces.begin(), pieces.end(), [](const Piece& piece) {
-    return handedness(piece) != Sign::kZero;
-  });
-  if (tells == pieces.end() || handedness(*tells) == Sign::kPositive) return false;
+Bezier<Interval, 3> enclosed(const Piece& piece) {
+  std::vector<Interval> values;
+  for (const Rational& x : piece.coefficients()) values.push_back(enclose(x));
+  return {piece.degrees(), piece.num_components(), piece.is_rational(), std::move(values)};
+}
+
+// The sign of the Jacobian determinant at the middle; uncertain where numbers are too long for an exact answer.
+Sign3 handedness(const Piece& piece) {
+  {
+    const ScopedUpward upward;
+    const Sign3 sign = determinant_at_middle(enclosed(piece)).sign();
+    if (is_certain(sign)) return sign;
+  }
+  CommonBits bits(kMostBitsOfSign);
+  for (const Rational& x : piece.coefficients()) bits.add(x);
+  return bits.is_beyond() ? Sign3::kUncertain : to_sign3(determinant_at_middle(piece).sign());
+}
+
+// If the first piece with a sign other than 0 is left-handed, mirrors all pieces and returns true. Nothing if that
+// sign is uncertain.
+std::optional<bool> mirror_left_handed(std::vector<Piece>& pieces) {
+  Sign3 hand = Sign3::kZero;
+  for (std::size_t i = 0; i < pieces.size() && hand == Sign3::kZero; ++i)
+    hand = handedness(pieces[i]);
+  if (hand == Sign3::kUncertain) return std::nullopt;
+  if (hand != Sign3::kNegative) return false;
   for (Piece& piece : pieces) piece = swapped(piece, 0, 1);
   return true;
 }
@@ -155,9 +184,14 @@ Result<VolumeFaces> volume_faces(const SplineModel& model) {
           Code::kOverLimit, e,
           "the volumes up to this one may have over " + std::to_string(kMaxPatches) + " faces");
     Pieces cut = bezier_pieces(*volume);
-    const bool is_mirrored = mirror_left_handed(cut.pieces);
-    if (is_mirrored) out.mirrored.push_back(e);
-    cells.emplace_back(all.size(), Cells(e, is_mirrored, cut));
+    const std::optional<bool> is_mirrored = mirror_left_handed(cut.pieces);
+    if (!is_mirrored)
+      return error_at_entity(Code::kOverLimit, e,
+                             "the volume's numbers have over " + std::to_string(kMostBitsOfSign) +
+                                 " bits over a common denominator, and rounded ones do not show "
+                                 "which side of its faces is outside");
+    if (*is_mirrored) out.mirrored.push_back(e);
+    cells.emplace_back(all.size(), Cells(e, *is_mirrored, cut));
     std::move(cut.pieces.begin(), cut.pieces.end(), std::back_inserter(all));
   }
   if (out.num_volumes == 0) return Error{Code::kEmpty, {}, "there is no volume in the model"};

@@ -63,6 +63,14 @@ struct FoldPoint {
   Sign sign = Sign::kZero;
 };
 
+/// A place of a cell of a V-model. Only what is known is set.
+struct CellPlace {
+  std::uint64_t cell = 0;
+  std::string part;  ///< "u0", "u0v1", "u0v1w0": a face, an edge, a corner; empty: none of them
+  std::optional<std::array<Rational, 3>> parameters;          ///< of the file
+  std::optional<std::array<std::array<Rational, 2>, 3>> box;  ///< of parameters
+};
+
 /// What shows a finding. Only what is known is set; the certificate has the whole proof.
 struct Witness {
   std::optional<RationalPoint> point;  ///< an exact point of the defect
@@ -75,6 +83,8 @@ struct Witness {
   std::optional<Rational> squared_gap;
   /// A volume that folds: where the determinant is positive, then where it is negative.
   std::optional<std::array<FoldPoint, 2>> fold;
+  /// The places of a V-model's cells where the defect shows.
+  std::vector<CellPlace> cells;
   /// Between the two parts of the place, or the gap to place.near_edge; approximate.
   std::optional<double> approx_distance;
 };

@@ -12,6 +12,7 @@
 #include "solids/patches/patch_transform.h"
 #include "solids/star_box/mesh_box.h"
 #include "tests/certify/patch_checkers.h"
+#include "verify/certify/cover_question.h"
 
 namespace veritope {
 namespace {
@@ -123,6 +124,7 @@ TEST(Frames, FarAndFlatModelsAreCertifiedWithAsManyBoxes) {
           .decision;
   ASSERT_TRUE(beyond.open);
   EXPECT_EQ(beyond.open->code, open_code::kOutOfRange);
+  EXPECT_EQ(beyond.open->message.find(kOutOfRangeText), 0u) << beyond.open->message;
 }
 
 TEST(Frames, TinyPartsBesideLargeOnes) {
@@ -255,6 +257,9 @@ TEST(CutBoxes, StayWithinTheBitsOfCertificates) {
   const PatchDecision narrow = certified_patches(pair(30)).decision;
   ASSERT_TRUE(narrow.open);
   EXPECT_EQ(narrow.open->code, open_code::kOutOfRange);
+  EXPECT_EQ(narrow.open->message.find("no point pair sees all patches near this piece"), 0u)
+      << narrow.open->message;
+  EXPECT_NE(narrow.open->message.find("would have over 60 bits"), std::string::npos);
   EXPECT_TRUE(narrow.open->place.box);
   EXPECT_LT(narrow.boxes_tried, 1000u);
 }

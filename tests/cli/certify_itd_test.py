@@ -276,7 +276,7 @@ class CertifyItd(Folder):
         self.assertEqual((one["verdict"], one["certificate"]["checked"]), ("INVALID", True))
         (defect,) = one["defects"]
         positive, negative = [Fraction(place["parameters"][0]) for place in defect["fold"]["places"]]
-        self.assertEqual(defect["code"], "volume-folded")
+        self.assertEqual(defect["code"], "folded")
         self.assertLess((negative - Fraction(1, 5)) * (negative - Fraction(3, 10)), 0)
         self.assertGreater((positive - Fraction(1, 5)) * (positive - Fraction(3, 10)), 0)
 
@@ -357,7 +357,7 @@ class CertifyItd(Folder):
         one = self.certify("[TRIVAR BEZIER 2 2 2 E3 %s]" % "".join("[%s %s %s]" % p for p in net))
         self.assertEqual((one["verdict"], one["exit"], one["copy"], one["by_boundary_faces"], one["certificate"]["checked"]), ("INVALID", 1, None, False, True))
         (defect,) = one["defects"]
-        self.assertEqual(defect["code"], "volume-folded")
+        self.assertEqual(defect["code"], "folded")
         places = [{"parameters": [t] * 3, "point": [p] * 3, "determinant": sign} for t, p, sign in (("0/1", "0/1", 1), ("1/1", "1/2", -1))]
         self.assertEqual(defect["fold"], {"entity": 0, "places": places})
         self.assertEqual([[(t["lo"], t["hi"]) for t in part["parameters"]] for part in defect["parts"]], [[(t, t)] * 3 for t in (0, 1)])
@@ -374,7 +374,7 @@ class CertifyItd(Folder):
                         % ("".join(axis % i for i in range(3)), points))
         done = run("certify", part, "--certificate", certificate, "--json", "-")
         (one,) = json.loads(done.stdout)["files"]
-        self.assertEqual((one["verdict"], [d["code"] for d in one["defects"]]), ("INVALID", ["volume-folded"]), done)
+        self.assertEqual((one["verdict"], [d["code"] for d in one["defects"]]), ("INVALID", ["folded"]), done)
         self.assertEqual((one["copy"]["what"], one["copy"]["of_volumes"], one["copy"]["path"]), ("its 1 volume", False, str(certificate) + ".vjson"))
         for checker in ((BIN / "veritope-check",), (sys.executable, CHECKER_PY)):
             checked = subprocess.run([*checker, str(certificate) + ".vjson", certificate], capture_output=True, text=True, check=False)
@@ -446,7 +446,7 @@ class RealFiles(Folder):
                 continue
             if one["verdict"] in ("VALID", "INVALID"):
                 self.assertEqual(one["verdict"], "INVALID" if path.stem in COVERED else {**VOLUMES, **POLYGONS}[path.stem], path.name)
-                is_folded = [defect.get("code") for defect in one["defects"]] == ["volume-folded"]
+                is_folded = [defect.get("code") for defect in one["defects"]] == ["folded"]
                 self.assertEqual(is_folded, path.stem == "iritprim__ns_sphere_poly", path.name)
                 continue
             expected = "not-certified" if path.stem in COVERED else "bad-spline" if path.stem.startswith("bad__") else "not-covered"

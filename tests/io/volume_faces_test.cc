@@ -116,6 +116,36 @@ TEST(VolumeFaces, OfWhichNoneIsLeftAreAnError) {
       "between volumes and the two sides of a flat volume are");
 }
 
+// A trilinear box of height h over the plane z = x/3 + y/7, with a number whose denominator is 3^n.
+SplineModel box_with_long_number(int h, int n) {
+  Integer denominator(1);
+  for (int i = 0; i < n; ++i) denominator *= Integer(3);
+  std::vector<Rational> values;
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < 8; ++i) values.push_back(Rational((i >> (2 - c) & 1) * (c == 2 ? h : 1)));
+  values[7] += Rational(1) / Rational(denominator);
+  for (std::size_t i = 0; i < 8; ++i)
+    values[16 + i] += values[i] / Rational(3) + values[8 + i] / Rational(7);
+  const KnotAxis<Rational> axis{1, {0, 0, 1, 1}};
+  SplineModel out;
+  out.entities.push_back(
+      {ExactVolume({axis, axis, axis}, 3, false, std::move(values)), {}, {}, {}});
+  return out;
+}
+
+TEST(VolumeFaces, OfLongNumbersHaveTheHandThatRoundedOnesShow) {
+  EXPECT_TRUE(volume_faces(box_with_long_number(1, 45000)).value().mirrored.empty());
+  EXPECT_EQ(volume_faces(box_with_long_number(-1, 45000)).value().mirrored.size(), 1u);
+}
+
+TEST(VolumeFaces, AreRefusedWhereOnlyLongNumbersWouldShowTheHand) {
+  const auto refused = volume_faces(box_with_long_number(0, 45000));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, Code::kOverLimit);
+  EXPECT_EQ(refused.error().place.entity, 0u);
+  EXPECT_TRUE(volume_faces(box_with_long_number(0, 40)));
+}
+
 TEST(VolumeFaces, OfAPointNoneHasAnArea) {
   std::string point = "[TRIVAR BEZIER 2 2 2 E3";
   for (int i = 0; i < 8; ++i) point += " [1 2 3]";

@@ -42,6 +42,9 @@ struct CertifyOptions {
   /// alone makes the mesh valid, and the certificate (mesh-reversed-1) says which; otherwise nothing is reversed.
   PatchOrientation orientation = PatchOrientation::kKeep;
 
+  // Models of volumes; the other kinds ignore it.
+  bool wants_regular = false;  ///< a model whose Jacobian determinant vanishes somewhere is INVALID
+
   // Models of patches; the other kinds ignore them.
   bool with_collar = false;  ///< seek a collar; if one is found the claim is collar-1 or collar-2
   /// The most boxes that are tried, and the most octree cells of a collar. Nothing: those of StarCoverOptions and

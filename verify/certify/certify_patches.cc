@@ -333,6 +333,13 @@ Certified with_boundary(VModelAnswer cells, StandIn stand_in, const CertifyOptio
         "faces are not glued because one cell has a part of another's face: " + finding.message;
   }
   if (!faces || !is_same) return std::move(cells.certified);
+  // Faces that touch refute the surface, but not cells, which may be valid once they are split there.
+  if (faces->verdict == Verdict::kInvalid && faces->findings.front().code == "patches-touching") {
+    Finding& finding = cells.certified.findings.front();
+    finding = std::move(faces->findings.front());
+    finding.code = "contact";
+    return std::move(cells.certified);
+  }
   if (faces->verdict == Verdict::kInvalid) {
     std::get<PatchFacts>(faces->facts).vmodel = std::get<PatchFacts>(cells.certified.facts).vmodel;
     return std::move(*faces);
@@ -346,10 +353,13 @@ Certified with_boundary(VModelAnswer cells, StandIn stand_in, const CertifyOptio
 }  // namespace
 
 Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOptions& options) {
-  if (auto folded = certify_fold(file, options)) return std::move(*folded);
   std::optional<VModelAnswer> cells;
   if (!options.with_collar) cells = certify_vmodel(file, options);
   if (cells && cells->certified.verdict != Verdict::kUndecided) return std::move(cells->certified);
+  if (auto folded = certify_fold(file, options)) {
+    if (cells) folded->facts = std::move(cells->certified.facts);
+    return std::move(*folded);
+  }
   Result<std::optional<StandIn>> made = stand_in_of(file);
   if (!made) {
     if (cells) return std::move(cells->certified);

@@ -48,6 +48,14 @@ const char* code_of(Why why) {
   }
 }
 
+// Units become too short only where larger boxes failed, unless whole patches are too small.
+std::string reason(const UncoveredPiece& piece) {
+  if (piece.why != Why::kTooFine || !piece.above || *piece.above == Why::kTooFine)
+    return text_of(piece.why);
+  return text_of(*piece.above) +
+         "; coordinates of smaller boxes, in units of the least one, would have over 60 bits";
+}
+
 // "40,000".
 std::string with_commas(std::size_t n) {
   std::string out = std::to_string(n);
@@ -125,7 +133,7 @@ CoverQuestion cover_question(PieceForest& forest, const StarCover& cover) {
   const bool is_spent = is_limit(piece.why);
   const std::string tried = is_spent ? reached_text(cover) : tried_text(cover.tried);
   if (!is_gap(forest, piece)) {
-    out.finding.message = text_of(piece.why) + tried + (is_spent ? "" : angle_text(piece));
+    out.finding.message = reason(piece) + tried + (is_spent ? "" : angle_text(piece));
     return out;
   }
   const double distance = gap_in_model(forest, piece.facing[0], piece.facing[1]);

@@ -32,13 +32,14 @@ EntityPart part_at(std::uint64_t entity, const std::array<Rational, 3>& paramete
 
 Finding finding_of(const ExactVolume& volume, const VolumeFold& fold) {
   Finding out;
-  out.code = "volume-folded";
+  out.code = "folded";
   std::array<FoldPoint, 2> points;
   for (std::size_t i = 0; i < 2; ++i) {
     points[i].parameters = parameters_at(volume, fold.places[i]);
     points[i].point = RationalPoint{point_at(volume, fold.places[i])};
     points[i].sign = i == 0 ? Sign::kPositive : Sign::kNegative;
     out.place.parts.push_back(part_at(fold.entity, points[i].parameters));
+    out.witness.cells.push_back({fold.entity, {}, points[i].parameters, {}});
   }
   out.message = entity_text(fold.entity) +
                 ": the volume folds: its map keeps the orientation of space at " +
@@ -95,6 +96,10 @@ bool can_be_certified(const SplineModel& model, const VolumeFold& fold) {
 }
 
 }  // namespace
+
+Finding fold_finding(const SplineFile& file, const VolumeFold& fold) {
+  return finding_of(std::get<ExactVolume>(file.model.entities[fold.entity].shape), fold);
+}
 
 std::optional<Certified> certify_fold(const SplineFile& file, const CertifyOptions& options) {
   if (!has_only_volumes(file)) return std::nullopt;

@@ -21,4 +21,7 @@ std::optional<Certified> certify_fold(const SplineFile& file, const CertifyOptio
 std::optional<Certified> certify_fold_at(const SplineFile& file, const VolumeFold& fold,
                                          const CertifyOptions& options);
 
+/// The finding about such points, "folded", whether or not it can be certified. REQUIRES as above.
+Finding fold_finding(const SplineFile& file, const VolumeFold& fold);
+
 }  // namespace veritope

@@ -194,7 +194,10 @@ class Decider {
 
   PatchDecision decide_sides() {
     if (!fits_certificate(*forest_, out_.cover))
-      return open(question(open_code::kOutOfRange, kOutOfRangeText));
+      return open(question(open_code::kOutOfRange,
+                           "star boxes were found, but checkers cannot hold their coordinates: in "
+                           "units of the least one they have over 60 bits, or units are out of "
+                           "range"));
     out_.walks = find_shell_walks(*forest_, out_.cover);
     if (!out_.walks.missing.empty()) {
       const std::uint32_t shell = out_.walks.missing.front();

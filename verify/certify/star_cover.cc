@@ -66,6 +66,7 @@ class CoverSearch {
     std::uint64_t number;
     Id id;
     int crowded;  // number of nested pieces around it that had no box because too many others were met
+    std::optional<Why> above;  // why the piece around it had no box
     friend bool operator<(const Open& a, const Open& b) {  // a comes later
       return a.scale != b.scale ? a.scale > b.scale : a.number < b.number;
     }
@@ -77,7 +78,9 @@ class CoverSearch {
   // meet the same number at all levels.
   static constexpr int kMostCrowded = 6;
 
-  void push(Id id, int scale, int crowded = 0) { open_.push({scale, next_number_++, id, crowded}); }
+  void push(Id id, int scale, int crowded = 0, std::optional<Why> above = std::nullopt) {
+    open_.push({scale, next_number_++, id, crowded, above});
+  }
 
   std::uint32_t& box_of(Id id) {
     if (out_.box_of_node.size() <= id)
@@ -120,14 +123,14 @@ class CoverSearch {
     if (forest_.node(id).level >= options_.max_level || is_spent || crowded > kMostCrowded ||
         search_.why() == Why::kTooFine) {
       const Obstacle obstacle = search_.obstacle();
-      out_.uncovered.push_back({id, is_spent ? Why::kBudget : search_.why(), obstacle.gap,
-                                obstacle.least_cosine, obstacle.facing});
+      out_.uncovered.push_back({id, is_spent ? Why::kBudget : search_.why(), open.above,
+                                obstacle.gap, obstacle.least_cosine, obstacle.facing});
       return;
     }
     const int scale = is_crowded ? open.scale : scale_of(id);
     if (!forest_.may_split(id)) return give_up(id, Why::kMemory);
     const Id first = forest_.children(id);
-    for (const Id k : {3u, 2u, 1u, 0u}) push(first + k, scale, crowded);
+    for (const Id k : {3u, 2u, 1u, 0u}) push(first + k, scale, crowded, search_.why());
   }
   // Drops the nodes that are neither leaves, so far, nor above one, nor above a piece that waits. Half of the memory
   // must be free then; otherwise the nodes may be twice as many.
@@ -184,7 +187,7 @@ class CoverSearch {
   bool has_memory() { return out_.has_room_for_box() && !forest_.is_out_of_memory(); }
   // Nothing is known about what is near the piece.
   void give_up(Id id, Why why) {
-    out_.uncovered.push_back({id, why, std::numeric_limits<double>::infinity(), 1});
+    out_.uncovered.push_back({id, why, std::nullopt, std::numeric_limits<double>::infinity(), 1});
   }
   int scale_of(Id id) {
     if (search_.num_looked_at() == 1) return kUnknownScale;

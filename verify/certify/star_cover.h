@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "robust/base/work_share.h"
@@ -59,6 +60,8 @@ struct CoverBox {
 struct UncoveredPiece {
   PieceForest::Id piece;
   enum class Why { kNoCentres, kCrossings, kTooDeep, kTooFine, kBudget, kMemory, kStopped } why;
+  /// With kTooFine, why the larger piece of which it is a part had no box; nothing for a whole patch.
+  std::optional<Why> above;
   /// Approximate, in the forest's coordinates: see Obstacle.
   double gap = 0, least_cosine = 1;
   /// The pieces between which the gap is; kNone without a gap.

@@ -18,6 +18,7 @@
 #include "verify/certify/refutation_finding.h"
 #include "verify/certify/star_box_certifier.h"
 #include "verify/certify/v_singularities.h"
+#include "verify/certify/vmodel_refuter.h"
 #include "verify/certify/vmodel_work.h"
 #include "verify/certify/volume_fold.h"
 #include "verify/certify/volume_subject.h"
@@ -99,19 +100,26 @@ FoldPlace fold_place(const VVolume& cell, const JacobianPlace& place) {
   return out;
 }
 
-std::optional<VolumeFold> fold_among(const VModel& model,
-                                     const std::vector<JacobianFinding>& findings) {
+std::vector<VolumeFold> folds_among(const VModel& model,
+                                    const std::vector<JacobianFinding>& findings) {
+  std::vector<VolumeFold> out;
   for (const JacobianFinding& f : findings) {
     if (f.kind != JacobianFinding::Kind::kFolded || f.places.size() != 2) continue;
     const VVolume& cell = model.cell(f.cell);
-    VolumeFold out;
-    out.entity = f.cell;
+    VolumeFold& fold = out.emplace_back();
+    fold.entity = f.cell;
     const bool is_first_positive = f.places[0].sign == Sign::kPositive;
     for (std::size_t i = 0; i < 2; ++i)
-      out.places[i] = fold_place(cell, f.places[is_first_positive ? i : 1 - i]);
-    return out;
+      fold.places[i] = fold_place(cell, f.places[is_first_positive ? i : 1 - i]);
   }
-  return std::nullopt;
+  return out;
+}
+
+// After the fold that is certified, the others.
+void list_folds(const SplineFile& file, const std::vector<VolumeFold>& folds, std::uint64_t first,
+                std::size_t most, std::vector<Finding>& to) {
+  for (const VolumeFold& fold : folds)
+    if (fold.entity != first && to.size() < most) to.push_back(fold_finding(file, fold));
 }
 
 class VModelCertification {
@@ -135,43 +143,96 @@ class VModelCertification {
       if (model_->is_reversed(c)) facts.reversed.push_back(c);
     for (VFaceNumber f = 0; f < model_->num_faces(); ++f)
       if (model_->face(f).is_border()) border_.push_back(f);
-    if (auto finding = left_handed()) {
-      facts_.auto_helps = true;
-      return undecided(std::move(*finding));
-    }
-    if (!model_->forbidden().empty()) return undecided(finding_of(model_->forbidden().front()));
+    const bool is_left_handed =
+        options_.orientation == PatchOrientation::kKeep && !model_->left_handed().empty();
+    if (!model_->forbidden().empty() && !is_left_handed) return collapsed();
     VModelWork work(*model_, file_.bytes);
-    if (auto finding = work.of_pieces()) return undecided(std::move(*finding));
+    if (auto finding = work.of_pieces())
+      return is_left_handed ? left_handed() : undecided(std::move(*finding));
     const VDeterminants determinants = decide_determinants(*model_, {options_.jobs});
-    if (!determinants.is_proved()) {
-      fold_ = fold_among(*model_, determinants.findings);
-      return undecided(finding_of(determinants.findings.front()));
-    }
+    folds_ = folds_among(*model_, determinants.findings);
+    if (is_left_handed && folds_.empty()) return left_handed();
+    if (!determinants.is_proved()) return not_proved(determinants);
     if (auto finding = work.of_trees(determinants)) return undecided(std::move(*finding));
     has_proved_cells_ = true;
     return decide_boundary(determinants);
   }
 
  private:
+  VModelRefuter refuter() const { return {*model_, file_}; }
+
+  VModelAnswer invalid(VRefutation proof) {
+    internal::enter(Phase::kCertifying, options_);
+    out_.verdict = Verdict::kInvalid;
+    out_.findings.assign(1, std::move(proof.finding));
+    out_.certificate = certificate::encode(
+        subject_of(file_, options_.tool),
+        {static_cast<std::uint32_t>(model_->num_cells()), std::move(proof.certified)});
+    out_.claim = certificate::kVModelInvalidClaim;
+    return answer();
+  }
+  // INVALID if something else is proved wrong than what keeps the model from being VALID.
+  VModelAnswer refuted_or(Finding finding, const VOverlapOptions& overlaps = {}) {
+    if (auto proof = border_defect()) return invalid(std::move(*proof));
+    if (const auto overlap = find_overlap(*model_, overlaps))
+      if (auto proof = refuter().overlap(*overlap)) return invalid(std::move(*proof));
+    return undecided(std::move(finding));
+  }
+  std::optional<VRefutation> border_defect() const {
+    const std::optional<VBorder> border = VBorder::make(*model_);
+    if (!border) return std::nullopt;
+    if (const auto curve = border->crowded_curve())
+      if (auto proof = refuter().crowded(*curve)) return proof;
+    if (const auto point = border->pinched_point()) return refuter().pinched(*point);
+    return std::nullopt;
+  }
+  std::optional<VRefutation> collapsed_inside(
+      std::uint32_t cell, const std::array<std::array<Rational, 2>, 3>& box) const {
+    const auto overlap = find_collapsed_line(*model_, cell, box);
+    return overlap ? refuter().overlap(*overlap) : std::nullopt;
+  }
+  std::optional<VRefutation> refuted_cell(const VDeterminants& determinants) const {
+    for (const JacobianFinding& f : determinants.findings)
+      if (auto proof = refuter().flat(f)) return proof;
+    for (const JacobianFinding& f : determinants.findings)
+      if (auto proof = collapsed_inside(f.cell, f.box)) return proof;
+    return std::nullopt;
+  }
   VModelAnswer undecided(Finding finding) {
     out_.verdict = Verdict::kUndecided;
     out_.findings.assign(1, std::move(finding));
     return answer();
   }
   VModelAnswer answer() {
-    return {std::move(out_), std::move(border_), has_proved_cells_, std::move(fold_)};
+    return {std::move(out_), std::move(border_), has_proved_cells_, std::move(folds_)};
   }
 
-  std::optional<Finding> left_handed() const {
+  VModelAnswer left_handed() {
+    facts_.auto_helps = true;
     const auto& cells = model_->left_handed();
-    if (options_.orientation == PatchOrientation::kAuto || cells.empty()) return std::nullopt;
-    Finding out =
-        v_reason("left-handed",
-                 std::to_string(cells.size()) +
-                     (cells.size() == 1 ? " cell is left-handed: " : " cells are left-handed: ") +
-                     name_of_cell(cells.front()) + (cells.size() == 1 ? "" : " is the first"));
+    for (const std::uint32_t c : cells) {
+      auto proof = refuter().left_handed(c);
+      if (!proof) continue;
+      if (cells.size() > 1)
+        proof->finding.message += "; " + std::to_string(cells.size()) + " cells are left-handed";
+      return invalid(std::move(*proof));
+    }
+    Finding out = v_reason("left-handed", name_of_cell(cells.front()) +
+                                              " is left-handed, and no certificate may be about "
+                                              "numbers as long as its own");
     out.place.parts.push_back({cells.front(), {}, {}});
-    return out;
+    return undecided(std::move(out));
+  }
+  VModelAnswer collapsed() {
+    for (const VForbiddenCollapse& c : model_->forbidden())
+      if (auto proof = collapsed_inside(c.cell, c.box)) return invalid(std::move(*proof));
+    return refuted_or(finding_of(model_->forbidden().front()));
+  }
+  VModelAnswer not_proved(const VDeterminants& determinants) {
+    Finding finding = finding_of(determinants.findings.front());
+    if (!folds_.empty()) return undecided(std::move(finding));
+    if (auto proof = refuted_cell(determinants)) return invalid(std::move(*proof));
+    return refuted_or(std::move(finding));
   }
 
   VModelAnswer decide_boundary(const VDeterminants& determinants) {
@@ -181,6 +242,7 @@ class VModelCertification {
           v_reason("not-certified", "every face is glued or collapsed: there is no boundary"));
     Result<FilePatches> patches = patches_of_border(border);
     if (!patches) return undecided(v_reason("not-covered", text_of(finding_of(patches.error()))));
+    if (auto proof = border_defect()) return invalid(std::move(*proof));
     FilePatches& p = *patches;
     facts_.patches = p.complex->patches().size();
     facts_.edges = p.complex->num_edges();
@@ -194,9 +256,68 @@ class VModelCertification {
     if (options_.tolerance) how.search.tolerance = *options_.tolerance;
     const FileDecision decided = decide_file_patches(p, how);
     facts_.boxes_tried = decided.decision.boxes_tried;
-    if (!decided.decision.is_valid) return undecided(open_finding(p, decided.decision));
+    if (!decided.decision.is_valid)
+      return refuted_or(open_finding(p, decided.decision), near_crossing(p, decided.decision));
+    facts_.vmodel->singular = singularities_of(*model_, determinants);
+    if (options_.wants_regular && !facts_.vmodel->singular.empty()) return not_regular();
     conclude_valid(p, decided, determinants);
     return answer();
+  }
+
+  VModelAnswer not_regular() {
+    for (const VSingularity& s : facts_.vmodel->singular)
+      if (auto proof = refuter().singular(s)) return invalid(std::move(*proof));
+    return undecided(v_reason("not-certified",
+                              "the cells bound a solid, but the Jacobian determinant is zero on "
+                              "parts of them, and no certificate may be about numbers as long as "
+                              "those of a point there"));
+  }
+
+  // Points of cells next to a place where two of their faces cross: an overlap has all sizes there.
+  VOverlapOptions near_crossing(const FilePatches& patches, const PatchDecision& decision) const {
+    VOverlapOptions out;
+    const auto* const crossing =
+        decision.refutation ? std::get_if<CrossingWitness>(&*decision.refutation) : nullptr;
+    if (crossing == nullptr) return out;
+    for (const PatchRectangle& sheet : crossing->sheets) {
+      const auto after = std::upper_bound(
+          patches.entities.begin(), patches.entities.end(), sheet.patch,
+          [](std::uint32_t patch, const StarBoxEntity& e) { return patch < e.first_patch; });
+      add_hints(*(after - 1), sheet, out.hints);
+    }
+    return out;
+  }
+  void add_hints(const StarBoxEntity& entity, const PatchRectangle& sheet,
+                 std::vector<VOverlapOptions::Hint>& to) const {
+    const VolumeFace& face = *entity.face;
+    const std::size_t columns = entity.breaks[1].size() - 1,
+                      number = sheet.patch - entity.first_patch;
+    const std::array<std::size_t, 2> span = {number / columns, number % columns};
+    const auto cell = static_cast<std::uint32_t>(face.volume);
+    VOverlapOptions::Hint hint{cell, {}};
+    const auto move_in = [&](std::size_t axis, const Rational& t) {
+      const KnotAxis<Rational>& a = model_->cell(cell).axis(axis);
+      return std::max(a.domain_begin(), std::min(a.domain_end(), t));
+    };
+    for (const int halvings : {4, 8, 14, 20, 28, 36}) {
+      const Rational step = Rational::power_of_two(-halvings);
+      const KnotAxis<Rational>& across = model_->cell(cell).axis(face.axis);
+      const Rational depth = (across.domain_end() - across.domain_begin()) * step;
+      hint.at[face.axis] =
+          face.end == 0 ? across.domain_begin() + depth : across.domain_end() - depth;
+      for (const int side : {0, 1, 2, 3, 4}) {
+        for (std::size_t k = 0; k < 2; ++k) {
+          const Rational &lo = entity.breaks[k][span[k]], &hi = entity.breaks[k][span[k] + 1];
+          const Rational middle = (sheet.at[k].lower() + sheet.at[k].upper()) / Rational(2);
+          const int way = side == static_cast<int>(2 * k + 1)   ? 1
+                          : side == static_cast<int>(2 * k + 2) ? -1
+                                                                : 0;
+          hint.at[face.axes[k]] =
+              move_in(face.axes[k], lo + (hi - lo) * (middle + Rational(4 * way) * step));
+        }
+        to.push_back(hint);
+      }
+    }
   }
 
   Result<FilePatches> patches_of_border(VFaces& border) const {
@@ -253,7 +374,6 @@ class VModelCertification {
     for (const PatchShellFacts& s : decision.shells)
       facts_.genus += static_cast<std::uint64_t>(s.genus);
     facts_.volume = decision.volume;
-    facts_.vmodel->singular = singularities_of(*model_, determinants);
     facts_.vmodel->volume = exact_volume(patches.complex->patches());
     VModelBody body = body_of(determinants);
     body.boundary = make_star_box_body(*decided.forest, decision.cover, decision.walks,
@@ -305,7 +425,7 @@ class VModelCertification {
   const VModel* model_ = nullptr;
   std::vector<VFaceNumber> border_;
   bool has_proved_cells_ = false;
-  std::optional<VolumeFold> fold_;
+  std::vector<VolumeFold> folds_;
 };
 
 }  // namespace
@@ -316,8 +436,14 @@ std::optional<VModelAnswer> certify_vmodel(const SplineFile& file, const Certify
   if (!subject) return std::nullopt;
   VModelAnswer out = VModelCertification(subject->file(file), options).run();
   out.certified.copy = subject->certified_copy();
-  if (out.fold)
-    if (auto folded = certify_fold_at(file, *out.fold, options)) out.certified = std::move(*folded);
+  for (const VolumeFold& fold : out.folds) {
+    auto folded = certify_fold_at(file, fold, options);
+    if (!folded) continue;
+    folded->facts = std::move(out.certified.facts);
+    out.certified = std::move(*folded);
+    list_folds(file, out.folds, fold.entity, options.max_findings, out.certified.findings);
+    break;
+  }
   return out;
 }
 

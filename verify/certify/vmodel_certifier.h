@@ -13,11 +13,12 @@ namespace veritope {
 
 struct VModelAnswer {
   /// VALID with its certificate (vmodel-1), if the file's volumes are mapped one to one and bound a solid; INVALID with
-  /// that of a fold; or UNDECIDED with the reason, cell and place named.
+  /// that of a fold (volume-folded-1) or of something else that is wrong (vmodel-invalid-1); or UNDECIDED with the
+  /// reason, cell and place named.
   Certified certified;
   std::vector<VFaceNumber> border;  ///< the faces that are neither glued nor collapsed, ascending
   bool has_proved_cells = false;    ///< what is not decided, if anything, is the boundary
-  std::optional<VolumeFold> fold;   ///< of a cell whose determinant was found to have both signs
+  std::vector<VolumeFold> folds;    ///< of cells whose determinants were found to have both signs
 };
 
 /// kAuto reverses left-handed cells. Nothing for a file with other entities than volumes in space, or where no

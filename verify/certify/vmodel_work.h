@@ -11,7 +11,8 @@
 
 namespace veritope {
 
-/// Adds up the page's units, with upper bounds for lengths of numbers that only cut pieces show.
+/// Adds up the page's units: with upper bounds for lengths of numbers, and, if these exceed a limit, with the lengths
+/// that checkers find.
 class VModelWork {
  public:
   /// @param bytes  of the model; those of the body come on top of what is allowed
@@ -23,7 +24,7 @@ class VModelWork {
   std::optional<Finding> of_trees(const VDeterminants& determinants);
 
  private:
-  std::optional<Finding> add_cell(std::size_t number);
+  std::optional<Finding> add_cell(std::size_t number, bool is_bound);
   std::optional<Finding> add(std::uint64_t units, std::size_t cell);
 
   const VModel& model_;

@@ -11,6 +11,7 @@
 #include "interval/ring_numbers.h"
 #include "interval/upward.h"
 #include "robust/base/check.h"
+#include "robust/common_bits.h"
 #include "splines/binomial.h"
 #include "splines/de_boor.h"
 #include "splines/knot_insertion.h"
@@ -24,6 +25,7 @@ using Index = std::array<std::size_t, 3>;
 
 constexpr int kMostDegree = 15;  // of certificates
 constexpr std::uint64_t kMostBits = 8192, kMostKnotBits = 256, kMostBoxBits = 1 << 22;
+constexpr std::uint64_t kMostExactBits = 1 << 17;  // of coefficients: more than kMostBits and kMostKnotBits make
 
 // ---- the determinant at a point of a piece
 
@@ -224,6 +226,13 @@ class FoldSearch {
     }
   }
 
+  // Whether the exact sign costs little. Other pieces are far beyond the limits of certificates.
+  static bool is_short(const Piece& piece) {
+    CommonBits bits(kMostExactBits);
+    for (const Rational& x : piece.coefficients()) bits.add(x);
+    return !bits.is_beyond();
+  }
+
   // The middle first: it is a better place to name.
   void look_at(std::size_t number) {
     const Index piece = grid_.index_of(number);
@@ -239,7 +248,7 @@ class FoldSearch {
     constexpr std::size_t kMiddle = 13;
     if (is_certain(signs[kMiddle]))
       note(piece, at(kMiddle), to_sign(signs[kMiddle]));
-    else
+    else if (is_short(pieces_.pieces[number]))
       note_exactly(piece, at(kMiddle));
     for (std::size_t i = 0; i < signs.size() && !is_done(); ++i)
       if (is_certain(signs[i])) note(piece, at(i), to_sign(signs[i]));

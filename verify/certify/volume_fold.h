@@ -25,8 +25,9 @@ struct VolumeFold {
 };
 
 /// The first volume of the model with such points among those that are examined: its corners, the middle of each
-/// piece, and the points of each piece whose parameters are 0, 1/2 or 1 in it. Corners and middles are decided exactly;
-/// at the other points a sign that rounded intervals leave open counts as none. Nothing found proves nothing. Volumes
+/// piece, and the points of each piece whose parameters are 0, 1/2 or 1 in it. Corners are decided exactly, and so are
+/// the middles of pieces with numbers as short as in certificates; otherwise a sign that rounded intervals leave open
+/// counts as none. Nothing found proves nothing. Volumes
 /// that are not in space, or that may be torn at an inner knot (multiplicity over the degree), are not examined, nor
 /// are those of a degree over 15, which certificates are not about.
 /// @cost linear in the control points of the pieces, times their degrees

@@ -78,6 +78,9 @@ const std::vector<Claim>& all_claims() {
        " bodies boxes cells euler genus half_v_surfaces patches pieces reversed shells singular "
        "subject_bytes v_curves v_points v_surfaces",
        "", nullptr, check_vmodel},
+      {"vmodel-invalid-1", "VTVI", kVolumes,
+       " body_sha256 certificate claim finding subject_format subject_sha256 tool",
+       " cells subject_bytes", "", check_vmodel_finding, check_vmodel_invalid},
   };
   return claims;
 }

@@ -127,6 +127,9 @@ constexpr auto kClaims = std::to_array<Claim>({
      "v_curves "
      "v_points v_surfaces",
      "", encode_as<VModelBody>, decode_whole<internal::read_vmodel>, explain_as<VModelBody>},
+    {kVModelInvalidClaim, kVModelInvalidMagic, "vmodel-invalid.md", kVolumes, "finding", "cells",
+     "", encode_as<VModelInvalidBody>, decode_whole<internal::read_vmodel_invalid>,
+     explain_as<VModelInvalidBody>},
 });
 
 void add_keys(std::string_view names, const char* kind, std::map<std::string, std::string>& keys) {

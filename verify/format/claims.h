@@ -17,6 +17,7 @@
 #include "verify/format/patch_meeting_certificate.h"
 #include "verify/format/points_certificate.h"
 #include "verify/format/vmodel_certificate.h"
+#include "verify/format/vmodel_invalid_certificate.h"
 #include "verify/format/volume_folded_certificate.h"
 
 namespace veritope::certificate {
@@ -24,7 +25,7 @@ namespace veritope::certificate {
 /// The body of a certificate as plain data.
 using AnyBody =
     std::variant<ValidBody, InvalidBody, ReversedBody, StarBoxBody, CollarBody, PatchInvalidBody,
-                 PatchMeetingBody, PointsBody, VolumeFoldedBody, VModelBody>;
+                 PatchMeetingBody, PointsBody, VolumeFoldedBody, VModelBody, VModelInvalidBody>;
 
 /// Which entities of the model are surfaces; the others are triangles. Bodies of version 1 about patches do not say so
 /// themselves.

@@ -10,6 +10,7 @@
 #include "verify/format/patch_invalid_certificate.h"
 #include "verify/format/patch_meeting_certificate.h"
 #include "verify/format/vmodel_certificate.h"
+#include "verify/format/vmodel_invalid_certificate.h"
 #include "verify/format/volume_folded_certificate.h"
 
 namespace veritope::certificate {
@@ -20,5 +21,7 @@ std::string explain(const PatchInvalidBody& body, std::string_view claim, std::s
 std::string explain(const PatchMeetingBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const VolumeFoldedBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const VModelBody& body, std::string_view claim, std::size_t max_items);
+std::string explain(const VModelInvalidBody& body, std::string_view claim,
+                    std::size_t max_items);
 
 }  // namespace veritope::certificate

@@ -1,162 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // folded_volume.cc: docs/certificates/volume-folded.md.
 #include "patch_claims.h"
-#include "star_bytes.h"
-
-namespace {
-
-const int64_t kMostPieceBits = 256, kMostBoxBits = 1 << 22;
-
-struct AxisPoint {     // a parameter of an axis
-  size_t span, p;      // its piece is [t(span), t(span + 1)]; the axis's degree
-  int64_t n, d;        // where in the piece
-  std::vector<Big> t;  // the knots of the piece, in integers
-};
-struct VolumePoint {
-  AxisPoint axis[3];
-};
-
-// The span of the piece with this number; the last knot's index if no piece has it.
-size_t span_of(const std::vector<Ratio>& t, uint64_t piece) {
-  size_t i = 0;
-  for (; i + 1 < t.size(); ++i)
-    if (compare(t[i], t[i + 1]) < 0 && piece-- == 0) break;
-  return i;
-}
-
-struct FoldBytes : Bytes {
-  explicit FoldBytes(const Body& bytes) : Bytes(bytes) {}
-  VolumePoint point(const Entity& e) {
-    VolumePoint r;
-    for (size_t a = 0; a < 3; ++a) {
-      AxisPoint& x = r.axis[a];
-      const uint64_t piece = varint(), n = varint(), d = varint();
-      x.span = span_of(e.knots[a], piece);
-      require(x.span + 1 < e.knots[a].size(), "B1", "there is no piece", piece);
-      require(d >= 1, "B1", "a parameter's denominator is 0");
-      require(n <= d, "B1", "a parameter leaves its piece: its denominator is", d);
-      x.p = size_t(e.degrees[a]), x.n = int64_t(n), x.d = int64_t(d);
-    }
-    return r;
-  }
-};
-
-// Numbers brought to integers by their least common denominator, which comes last. B2 fails if one of these integers
-// has more than this many bits.
-std::vector<Big> integers(const std::vector<Ratio>& numbers, int64_t most, const char* why) {
-  Big common = 1;
-  for (const Ratio& x : numbers) {
-    common = common * divide(x.d, gcd(common, x.d), nullptr);
-    require(common.bits() <= most, "B2", why);
-  }
-  std::vector<Big> r;
-  for (const Ratio& x : numbers) {
-    r.push_back(x.n * divide(common, x.d, nullptr));
-    require(r.back().bits() <= most, "B2", why);
-  }
-  r.push_back(common);
-  return r;
-}
-
-typedef std::vector<Big> Points;  // homogeneous, in integers; last axis fastest
-
-// B2 for a point, whose knots are filled in.
-Points box_of(const Entity& e, VolumePoint* point) {
-  std::vector<uint64_t> at(1, 0);
-  for (size_t a = 0; a < 3; ++a) {
-    AxisPoint& x = point->axis[a];
-    const std::vector<Ratio>& t = e.knots[a];
-    std::vector<Ratio> near(t.begin() + long(x.span + 1 - x.p), t.begin() + long(x.span + 1 + x.p));
-    x.t = integers(near, kMostPieceBits, "the knots of a piece are too long");
-    std::vector<uint64_t> next;
-    for (uint64_t i : at)
-      for (size_t k = x.span - x.p; k <= x.span; ++k) next.push_back(i * e.points_along(a) + k);
-    at.swap(next);
-  }
-  std::vector<Ratio> numbers;
-  for (uint64_t i : at)
-    for (size_t c = 0; c < 4; ++c)
-      numbers.push_back(c < 3 || e.is_rational ? e.number(i, c) : Ratio(Big(1)));
-  Points r = integers(numbers, std::min(kMostBits, kMostBoxBits / int64_t(at.size())),
-                      "the numbers of a box are too long");
-  r.pop_back();
-  return r;
-}
-
-// All but the last step of de Boor's scheme along the first axis of a box; the points that are left begin and end the
-// last step. The box's axes change places: the first one becomes the last. All points get the same positive factor.
-Points halved(Points box, const AxisPoint& x) {
-  const size_t stride = box.size() / (x.p + 1);
-  const Big low = x.t[x.p - 1], high = x.t[x.p], rest = Big(x.d - x.n), d = Big(x.d);
-  const Big at = rest * low + Big(x.n) * high;  // times d, as the differences below
-  for (size_t step = 1; step < x.p; ++step) {
-    // Point k is a combination of points k and k + 1, for a span of p + 1 - step knots that holds the piece.
-    const size_t left = x.p + 1 - step;
-    std::vector<Big> length;
-    Big common = 1;
-    for (size_t k = 0; k < left; ++k) {
-      length.push_back((x.t[k + x.p] - x.t[k + step - 1]) * d);
-      common = common * divide(length[k], gcd(common, length[k]), nullptr);
-    }
-    for (size_t k = 0; k < left; ++k) {
-      const Big by = divide(common, length[k], nullptr);
-      const Big second = (at - x.t[k + step - 1] * d) * by, first = (x.t[k + x.p] * d - at) * by;
-      for (size_t i = k * stride; i < (k + 1) * stride; ++i)
-        box[i] = first * box[i] + second * box[i + stride];
-    }
-  }
-  Points r;
-  for (size_t i = 0; i < stride; i += 4)
-    for (size_t k = 0; k < 2; ++k)
-      for (size_t c = 0; c < 4; ++c) r.push_back(box[k * stride + i + c]);
-  return r;
-}
-
-Big determinant(const std::vector<Points>& rows, size_t column, unsigned used) {
-  if (column == 4) return 1;
-  Big r;
-  bool minus = false;
-  for (unsigned k = 0; k < 4; ++k) {
-    if ((used >> k & 1) != 0) continue;
-    const Big part = rows[k][column] * determinant(rows, column + 1, used | 1u << k);
-    r = minus ? r - part : r + part;
-    minus = !minus;
-  }
-  return r;
-}
-
-// The sign of det J: that of -det(F, F_u, F_v, F_w).
-int sign_at(Points box, const VolumePoint& point) {
-  for (const AxisPoint& x : point.axis) box = halved(std::move(box), x);  // eight points, u slowest
-  std::vector<Points> rows;
-  for (size_t by = 0; by < 4; ++by) {  // no derivative; by u, by v, by w
-    Points row(4);
-    for (size_t corner = 0; corner < 8; ++corner) {
-      Big factor = 1;
-      for (size_t a = 0; a < 3; ++a) {
-        const AxisPoint& x = point.axis[a];
-        const bool is_end = (corner >> (2 - a) & 1) != 0;
-        const int64_t slope = is_end ? 1 : -1, value = is_end ? x.n : x.d - x.n;
-        factor = factor * Big(by == a + 1 ? slope : value);
-      }
-      for (size_t c = 0; c < 4; ++c) row[c] = row[c] + factor * box[4 * corner + c];
-    }
-    rows.push_back(row);
-  }
-  return -determinant(rows, 0, 0).sign();
-}
-
-}  // namespace
+#include "volume_point.h"
 
 std::string check_volume_folded(const Statement& s, std::string model, const Body& bytes) {
   const std::vector<Entity> volumes = read_volumes(model, s.text.at("subject_format"));
-  FoldBytes r(bytes);
+  Bytes r(bytes);
   require(r.body.begins_with(s.claim->magic), "B1", "another magic number");
   require(r.body.natural(4) == volumes.size(), "B1", "the file's entities are", volumes.size());
   const uint64_t v = r.varint();
   require(v < volumes.size(), "B1", "there is no entity", v);
   const Entity& e = volumes[size_t(v)];
-  VolumePoint a = r.point(e), b = r.point(e);
+  VolumePoint a = read_point(e, &r), b = read_point(e, &r);
   r.end();
 
   for (int64_t p : e.degrees) require(p <= kMostDegree, "B2", "a degree is over 15");
@@ -164,7 +19,9 @@ std::string check_volume_folded(const Statement& s, std::string model, const Bod
   require(s.number.at("volumes") == volumes.size(), "B3", "the number of volumes is",
           volumes.size());
   require(s.number.at("entity") == v, "B3", "the volume of the body is", v);
-  require(sign_at(of_a, a) > 0, "J1", "the Jacobian determinant is not positive at A");
-  require(sign_at(of_b, b) < 0, "J2", "the Jacobian determinant is not negative at B");
+  require(sign_of_jacobian(values_at(of_a, a)) > 0, "J1",
+          "the Jacobian determinant is not positive at A");
+  require(sign_of_jacobian(values_at(of_b, b)) < 0, "J2",
+          "the Jacobian determinant is not negative at B");
   return "volume " + std::to_string(v) + " of " + std::to_string(volumes.size()) + " folds";
 }

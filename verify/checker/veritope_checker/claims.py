@@ -23,6 +23,7 @@ OF_PATCHES = {"patches": int, "flipped": int}
 OF_VMODELS = {name: int for name in (
     "cells", "pieces", "half_v_surfaces", "v_surfaces", "v_curves", "v_points", "euler", "reversed", "singular",
     "patches", "shells", "bodies", "genus", "boxes")}
+OF_V_FINDINGS = "flat|left-handed|singular|overlap|curve-nonmanifold|point-nonmanifold"
 OF_STARS = {**OF_PATCHES, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}
 
 CLAIMS = {claim.name: claim for claim in (
@@ -42,6 +43,7 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("collar-1", b"VTSB", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
     Claim("collar-2", b"VTS2", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
     Claim("vmodel-1", b"VTVM", VOLUMES, OF_VMODELS, "vmodel.vmodel_check"),
+    Claim("vmodel-invalid-1", b"VTVI", VOLUMES, {"finding": OF_V_FINDINGS, "cells": int}, "vmodel.vmodel_invalid_check"),
 )}
 
 def lines():

@@ -3,6 +3,7 @@
 // and symmetries have its numbers.
 #pragma once
 #include "../patches/star_bytes.h"
+#include "../patches/star_extraction.h"
 
 const uint64_t kMostCells = 1 << 20, kMostPieces = 1 << 24;
 const int kMostHalvings = 64, kWholeBox = 26;
@@ -59,15 +60,66 @@ struct VPiece {
   }
   size_t degrees() const { return n[0] + n[1] + n[2] - 3; }
 };
+struct Place3 {  // the whole cell, one of its faces, or one of its edges
+  int end[3];    // across an axis: 0 or 1, its begin or end; along it: -1
+};
+struct AxisInterval {  // what makes control points coefficients on an interval of an axis
+  Extraction made;
+  bool is_unit;   // the coefficients are the control points
+  bool is_fixed;  // at an end of the axis
+  uint64_t bits;
+};
+// Cuts a cell, a face or an edge at the breaks of the cell's axes. B2: for the intervals of the axes at once, and for
+// each part when it is cut. An axis across the place has one interval.
+class PieceCutter {
+ public:
+  PieceCutter(const VCell& cell, const Place3& place, Units* units);
+  size_t intervals(size_t axis) const { return axes_[axis].size(); }
+  VPiece cut(size_t i, size_t j, size_t k);
+
+ private:
+  const Entity& volume_;
+  Units& units_;
+  std::vector<AxisInterval> axes_[3];
+};
+extern const Place3 kWholeCell;
 // Calls use(piece) for each piece of the cell, in order. B2.
 void cut_pieces(const VCell& cell, Units* units, const std::function<void(const VPiece&)>& use);
 // Fills in which faces and edges of the cell are collapsed.
 void find_collapses(VCell* cell);
 // V1 for the edges of a piece.
 void check_edges(const VCell& cell, const VPiece& piece);
+// Bernstein coefficients of N with the flag 0, each times its binomials. The units' condition fails if they exceed the
+// limit.
+std::vector<Big> coefficients_of_n(const VPiece& piece, Units* units);
 // V2. may_vanish[f]: whether face f of the piece lies in a face of the cell with the code 0 or 1.
 void check_determinant(const VPiece& piece, const VEntry& entry, bool is_reversed,
                        const bool* may_vanish, Units* units);
+
+// Where the symmetry takes a place of m x n ones.
+std::pair<size_t, size_t> moved(size_t i, size_t j, size_t m, size_t n, unsigned symmetry);
+// The map of a face of the piece, taken by the symmetry: a text that is equal for maps that agree, in any degrees, up
+// to a positive factor.
+std::string face_key(const VPiece& piece, size_t axis, bool at_end, unsigned symmetry);
+// The corner of a cell at these ends of the parameters of its face.
+uint64_t corner_of(uint64_t face, size_t s, size_t t);
+// The edge of a cell that is the side of its face along parameter `which`, at an end of the other one.
+uint64_t side_of(uint64_t face, size_t which, size_t end);
+
+struct Classes {
+  explicit Classes(size_t count) : parent(count) {
+    for (uint32_t i = 0; i < count; ++i) parent[i] = i;
+  }
+  std::vector<uint32_t> parent;
+  uint32_t find(uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  }
+  void unite(uint64_t i, uint64_t j) {
+    const uint32_t a = find(uint32_t(i)), b = find(uint32_t(j));
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+};
 
 class Pairs {  // of glued faces
  public:

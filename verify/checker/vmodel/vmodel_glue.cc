@@ -7,12 +7,6 @@ namespace {
 
 bool is_odd(unsigned symmetry) { return __builtin_popcount(symmetry) % 2 == 1; }
 
-// Where the symmetry takes a place of m x n ones.
-std::pair<size_t, size_t> moved(size_t i, size_t j, size_t m, size_t n, unsigned symmetry) {
-  if ((symmetry & 1) != 0) std::swap(i, j), std::swap(m, n);
-  return std::make_pair((symmetry & 2) != 0 ? m - 1 - i : i, (symmetry & 4) != 0 ? n - 1 - j : j);
-}
-
 struct Net {  // of a face: homogeneous points, the second parameter fastest
   size_t m, n;
   std::vector<Big> v;
@@ -28,7 +22,7 @@ Net face_net(const VPiece& p, size_t axis, bool at_end) {
       for (size_t c = 0; c < 4; ++c) r.v.push_back(p.net[p.at(i[0], i[1], i[2]) + c]);
   return r;
 }
-Net moved(Net a, unsigned symmetry) {
+Net moved_net(Net a, unsigned symmetry) {
   const bool is_turned = (symmetry & 1) != 0;
   Net r = {is_turned ? a.n : a.m, is_turned ? a.m : a.n, std::vector<Big>(a.v.size())};
   for (size_t i = 0; i < a.m; ++i)
@@ -52,7 +46,7 @@ void to_powers(Net* a) {
         binomial = binomial * int64_t(a->n - 1 - k) / int64_t(k + 1);
       }
     }
-    *a = moved(std::move(*a), 1);
+    *a = moved_net(std::move(*a), 1);
   }
 }
 bool is_zero(Net& a, size_t i, size_t j) {
@@ -91,34 +85,25 @@ int hand(uint64_t face, const VCell& cell) {
   return (face % 2 != 0 ? 1 : -1) * (axis == 1 ? -1 : 1) * (cell.is_reversed ? -1 : 1);
 }
 
-struct Classes {
-  explicit Classes(size_t count) : parent(count) {
-    for (uint32_t i = 0; i < count; ++i) parent[i] = i;
-  }
-  std::vector<uint32_t> parent;
-  uint32_t find(uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  }
-  void unite(uint64_t i, uint64_t j) {
-    const uint32_t a = find(uint32_t(i)), b = find(uint32_t(j));
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-};
-// The corner of a cell at these ends of a face's parameters.
+}  // namespace
+
+std::pair<size_t, size_t> moved(size_t i, size_t j, size_t m, size_t n, unsigned symmetry) {
+  if ((symmetry & 1) != 0) std::swap(i, j), std::swap(m, n);
+  return std::make_pair((symmetry & 2) != 0 ? m - 1 - i : i, (symmetry & 4) != 0 ? n - 1 - j : j);
+}
+std::string face_key(const VPiece& piece, size_t axis, bool at_end, unsigned symmetry) {
+  return key_of(moved_net(face_net(piece, axis, at_end), symmetry));
+}
 uint64_t corner_of(uint64_t face, size_t s, size_t t) {
   const size_t axis = size_t(face / 2);
   return face % 2 << axis | s << other_axis(axis, 0) | t << other_axis(axis, 1);
 }
-// The edge of a cell that is the side of a face along parameter `which`, at an end of the other one.
 uint64_t side_of(uint64_t face, size_t which, size_t end) {
   const size_t across = size_t(face / 2), axis = other_axis(across, which);
   const size_t e = other_axis(axis, 0) == across ? size_t(face % 2) : end;
   const size_t f = other_axis(axis, 1) == across ? size_t(face % 2) : end;
   return edge_number(axis, e, f);
 }
-
-}  // namespace
 
 Pairs::Pairs(const VBody& body) : body_(body), first_(body.faces.size(), ~uint64_t(0)) {
   for (uint64_t f = 0; f < body.faces.size(); ++f) {
@@ -148,14 +133,13 @@ void Pairs::see(size_t cell, const VPiece& p) {
     const size_t axis = k / 2, first = other_axis(axis, 0), second = other_axis(axis, 1);
     const uint64_t f = 6 * uint64_t(cell) + k;
     if (first_[f] == ~uint64_t(0) || p.index[axis] != k % 2 * (c.intervals(axis) - 1)) continue;
-    Net net = face_net(p, axis, k % 2 != 0);
+    unsigned symmetry = 0;
     std::pair<size_t, size_t> at(p.index[first], p.index[second]);
     if (first_[f] == f) {
-      const unsigned s = body_.faces[f].symmetry;
-      at = moved(at.first, at.second, c.intervals(first), c.intervals(second), s);
-      net = moved(std::move(net), s);
+      symmetry = body_.faces[f].symmetry;
+      at = moved(at.first, at.second, c.intervals(first), c.intervals(second), symmetry);
     }
-    maps_[f][at] = key_of(std::move(net));
+    maps_[f][at] = face_key(p, axis, k % 2 != 0, symmetry);
     if (maps_[f].size() == c.intervals(first) * c.intervals(second)) compare(first_[f]);
   }
 }

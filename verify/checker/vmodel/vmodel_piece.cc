@@ -7,14 +7,8 @@ namespace {
 
 const int64_t kMostPieceSize = 1 << 24;
 
-// An interval of an axis.
-struct Interval {
-  Extraction made;
-  bool is_unit;  // the coefficients are the control points
-  uint64_t bits;
-};
 struct Window {  // the control points of a box of knots, and what makes them coefficients
-  const Interval* axis[3];
+  const AxisInterval* axis[3];
 };
 
 uint64_t longest(const std::vector<Big>& v) {
@@ -69,20 +63,28 @@ void divide_by_common(std::vector<Big>* v) {
 }
 
 // B2.
-Interval interval_of(const Entity& e, size_t axis, const Ratio& a, const Ratio& b, Units* units) {
+AxisInterval interval_of(const Entity& e, size_t axis, const Ratio& a, const Ratio& b,
+                         Units* units) {
   const uint64_t p = uint64_t(e.degrees[axis]);
   const KnotWindow window = knot_window(e.knots[axis], size_t(p), a, b);
   const uint64_t t = longest(window.from_begin);
   units->id = "B2";
   units->add(1 + p * p * p * (64 + p * p * p * t * t / 8192) / 32);
-  Interval r = {extraction(window), false, t};
+  AxisInterval r = {extraction(window), false, false, t};
   r.is_unit = is_identity(r.made.matrix);
+  return r;
+}
+// An axis across a face: its first or its last control points, with the degree 0.
+AxisInterval fixed_axis(const Entity& e, size_t axis, bool at_end) {
+  AxisInterval r = {{at_end ? size_t(e.points_along(axis)) - 1 : 0, {}}, true, true, 0};
+  r.made.matrix.assign(1, std::vector<Big>(1, Big(1)));
   return r;
 }
 // The units of the products that make the control points coefficients; bits: of the longest of them.
 uint64_t of_products(const Window& w, const VPiece& piece, uint64_t bits) {
   uint64_t sum = 0;
   for (size_t a = 0; a < 3; ++a) {
+    if (w.axis[a]->is_fixed) continue;
     const uint64_t n = uint64_t(piece.n[a]), longer = n * (n - 1) * w.axis[a]->bits;  // p (p + 1) t
     sum += uint64_t(piece.count()) * n * (32 + (1 + longer / 128) * (1 + bits / 64)) / 32;
     bits += longer / 2;
@@ -167,39 +169,46 @@ struct CellGrid {
 
 }  // namespace
 
-void cut_pieces(const VCell& cell, Units* units, const std::function<void(const VPiece&)>& use) {
-  const Entity& e = *cell.volume;
-  std::vector<Interval> axes[3];
-  VPiece piece;
-  piece.is_rational = e.is_rational;
+const Place3 kWholeCell = {{-1, -1, -1}};
+
+PieceCutter::PieceCutter(const VCell& cell, const Place3& place, Units* units)
+    : volume_(*cell.volume), units_(*units) {
   for (size_t a = 0; a < 3; ++a) {
-    piece.n[a] = size_t(e.degrees[a]) + 1;
-    for (size_t i = 0; i < cell.intervals(a); ++i)
-      axes[a].push_back(interval_of(e, a, cell.breaks[a][i], cell.breaks[a][i + 1], units));
+    if (place.end[a] >= 0) axes_[a].push_back(fixed_axis(volume_, a, place.end[a] != 0));
+    for (size_t i = 0; i < cell.intervals(a) && place.end[a] < 0; ++i)
+      axes_[a].push_back(interval_of(volume_, a, cell.breaks[a][i], cell.breaks[a][i + 1], units));
   }
+}
+VPiece PieceCutter::cut(size_t i, size_t j, size_t k) {
+  VPiece piece = {{i, j, k}, {}, {}, 0, volume_.is_rational};
+  Window w;
+  bool is_whole = true, is_changed = false;
   size_t of_n = 1;
-  for (size_t n : piece.n) of_n *= (e.is_rational ? 4 : 3) * (n - 1);
-  size_t* const at = piece.index;
-  for (at[0] = 0; at[0] < axes[0].size(); ++at[0])
-    for (at[1] = 0; at[1] < axes[1].size(); ++at[1])
-      for (at[2] = 0; at[2] < axes[2].size(); ++at[2]) {
-        Window w;
-        for (size_t a = 0; a < 3; ++a) w.axis[a] = &axes[a][at[a]];
-        piece.net = control_points(e, w, piece.n);
-        units->id = "B2";
-        units->add(of_products(w, piece, longest(piece.net)));
-        bool is_changed = false;
-        for (size_t a = 0; a < 3; ++a)
-          if (!w.axis[a]->is_unit)
-            apply(w.axis[a]->made.matrix, a, piece.n, &piece.net), is_changed = true;
-        if (is_changed) divide_by_common(&piece.net);
-        piece.bits = int64_t(longest(piece.net));
-        require(int64_t(of_n) * piece.bits <= kMostPieceSize, "B2",
-                "the coefficients of a piece are too long for its degrees, bits",
-                uint64_t(piece.bits));
-        units->add(2 + uint64_t(piece.count() * piece.degrees()) * uint64_t(piece.bits) / 4096);
-        use(piece);
-      }
+  for (size_t a = 0; a < 3; ++a) {
+    w.axis[a] = &axes_[a][piece.index[a]];
+    piece.n[a] = w.axis[a]->made.matrix.size();
+    is_whole = is_whole && !w.axis[a]->is_fixed;
+    of_n *= (piece.is_rational ? 4 : 3) * (piece.n[a] - 1);
+  }
+  piece.net = control_points(volume_, w, piece.n);
+  units_.id = "B2";
+  units_.add(of_products(w, piece, longest(piece.net)));
+  for (size_t a = 0; a < 3; ++a)
+    if (!w.axis[a]->is_unit)
+      apply(w.axis[a]->made.matrix, a, piece.n, &piece.net), is_changed = true;
+  if (is_changed) divide_by_common(&piece.net);
+  piece.bits = int64_t(longest(piece.net));
+  require(!is_whole || int64_t(of_n) * piece.bits <= kMostPieceSize, "B2",
+          "the coefficients of a piece are too long for its degrees, bits", uint64_t(piece.bits));
+  units_.add(2 + uint64_t(piece.count() * piece.degrees()) * uint64_t(piece.bits) / 4096);
+  return piece;
+}
+
+void cut_pieces(const VCell& cell, Units* units, const std::function<void(const VPiece&)>& use) {
+  PieceCutter cutter(cell, kWholeCell, units);
+  for (size_t i = 0; i < cutter.intervals(0); ++i)
+    for (size_t j = 0; j < cutter.intervals(1); ++j)
+      for (size_t k = 0; k < cutter.intervals(2); ++k) use(cutter.cut(i, j, k));
 }
 
 void find_collapses(VCell* cell) {

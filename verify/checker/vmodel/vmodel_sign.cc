@@ -56,6 +56,10 @@ void add_any_product(const Tri& a, const Tri& b, Tri* to) {
     case 2: return add_product<2>(a, b, to);
     case 3: return add_product<3>(a, b, to);
     case 4: return add_product<4>(a, b, to);
+    case 5: return add_product<5>(a, b, to);
+    case 6: return add_product<6>(a, b, to);
+    case 7: return add_product<7>(a, b, to);
+    case 8: return add_product<8>(a, b, to);
     default: return add_product<0>(a, b, to);
   }
 }
@@ -65,6 +69,15 @@ Tri negative(Tri a) {
     for (size_t k = i; k < i + size_t(a.width); ++k) a.d[k] = sum_with_carry(~a.d[k], 0, &carry);
   }
   return a;
+}
+Tri widened(const Tri& a, int width) {
+  Tri r(a.n, width);
+  for (size_t i = 0, to = 0; i < a.d.size(); i += size_t(a.width), to += size_t(width)) {
+    std::copy(&a.d[i], &a.d[i] + a.width, &r.d[to]);
+    const uint64_t above = 0 - (a.d[i + size_t(a.width) - 1] >> 63);
+    std::fill(&r.d[to] + a.width, &r.d[to] + width, above);
+  }
+  return r;
 }
 // a b - c d.
 Tri minor(const Tri& a, const Tri& b, const Tri& c, const Tri& d) {
@@ -81,46 +94,60 @@ class Determinant {
  public:
   explicit Determinant(const VPiece& piece) : piece_(piece) {
     const int factors = piece.is_rational ? 4 : 3;
-    // A coefficient of a derivative, with its binomials, is below 2^(bits + 1 + degrees), and so is their sum; a
-    // determinant is a sum of 6 or 24 products.
-    width_ = int((factors * (piece.bits + 1 + int64_t(piece.degrees())) + 6) / 64 + 1);
-    std::vector<std::vector<Tri>> rows;
-    for (int axis = 0; axis < 3; ++axis) {
-      rows.push_back(std::vector<Tri>());
-      for (int c = 0; c < factors; ++c) rows.back().push_back(component(size_t(c), axis));
-    }
     for (size_t k = 0; k < 3; ++k) n_[k] = size_t(factors) * (piece.n[k] - 1);
+    width_ = width_of(factors);
     Tri sum(n_, width_);
-    if (piece.is_rational) {
-      std::vector<Tri> whole;
-      for (size_t c = 0; c < 4; ++c) whole.push_back(component(c, -1));
-      static const int kPairs[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
-                                       {1, 2, 0, 3}, {3, 1, 0, 2}, {2, 3, 0, 1}};
-      for (const int* p : kPairs)
-        add_any_product(minor_of(whole, rows[0], p[0], p[1]),
-                        minor_of(rows[1], rows[2], p[2], p[3]), &sum);
-      sum = negative(std::move(sum));
-    } else {
-      for (int c = 0; c < 3; ++c)
-        add_any_product(rows[0][size_t(c)], minor_of(rows[1], rows[2], (c + 1) % 3, (c + 2) % 3),
-                        &sum);
-    }
+    if (piece.is_rational)
+      add_rational(&sum);
+    else
+      sum = cofactor(rows_of(3), 0, 1, 2);
     for (size_t i = 0; i < sum.d.size(); i += size_t(width_))
       coefficients_.push_back(Big::of(&sum.d[i], width_));
   }
-  const size_t* n() const { return n_; }
-  std::vector<Big>& coefficients() { return coefficients_; }  // times their binomials
+  std::vector<Big> take() { return std::move(coefficients_); }  // times their binomials
 
  private:
-  static Tri minor_of(const std::vector<Tri>& a, const std::vector<Tri>& b, int i, int j) {
-    return minor(a[size_t(i)], b[size_t(j)], a[size_t(j)], b[size_t(i)]);
+  typedef std::vector<Tri> Row;
+
+  // A coefficient of a derivative, with its binomials, is below 2^(bits + 1 + degrees), and so is their sum; a
+  // determinant is a sum of 6 or 24 products.
+  int width_of(int factors) const {
+    return int((factors * (piece_.bits + 1 + int64_t(piece_.degrees())) + 6) / 64 + 1);
+  }
+  // The derivatives along the three axes, for determinants of so many factors.
+  std::vector<Row> rows_of(int factors) const {
+    std::vector<Row> rows(3);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int c = 0; c < (piece_.is_rational ? 4 : 3); ++c)
+        rows[size_t(axis)].push_back(component(size_t(c), axis, width_of(factors)));
+    return rows;
+  }
+  // The determinant of three columns of three rows.
+  static Tri cofactor(const std::vector<Row>& rows, size_t i, size_t j, size_t k) {
+    const size_t columns[5] = {i, j, k, i, j};
+    size_t n[3];
+    for (size_t a = 0; a < 3; ++a) n[a] = rows[0][i].n[a] + rows[1][i].n[a] + rows[2][i].n[a] - 2;
+    Tri sum(n, rows[0][i].width);
+    for (const size_t* c = columns; c < columns + 3; ++c)
+      add_any_product(rows[0][c[0]],
+                      minor(rows[1][c[1]], rows[2][c[2]], rows[1][c[2]], rows[2][c[1]]), &sum);
+    return sum;
+  }
+  // By the cofactors of (X, Y, Z, W), which have three factors each.
+  void add_rational(Tri* sum) const {
+    static const size_t kOthers[4][3] = {{2, 1, 3}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
+    const std::vector<Row> rows = rows_of(3);
+    for (size_t c = 0; c < 4; ++c)
+      add_any_product(component(c, -1, width_),
+                      widened(cofactor(rows, kOthers[c][0], kOthers[c][1], kOthers[c][2]), width_),
+                      sum);
   }
   // (X, Y, Z, W)[c], or its derivative along an axis divided by the degree.
-  Tri component(size_t c, int axis) const {
+  Tri component(size_t c, int axis, int width) const {
     size_t n[3], step[3] = {0, 0, 0};
     for (size_t k = 0; k < 3; ++k) n[k] = piece_.n[k] - (int(k) == axis);
     if (axis >= 0) step[axis] = 1;
-    Tri r(n, width_);
+    Tri r(n, width);
     for (size_t i = 0; i < n[0]; ++i)
       for (size_t j = 0; j < n[1]; ++j)
         for (size_t k = 0; k < n[2]; ++k) {
@@ -128,7 +155,7 @@ class Determinant {
           if (axis >= 0) x = x - piece_.net[piece_.at(i, j, k) + c];
           const Big factor =
               Big(binomial(n[0] - 1, i)) * Big(binomial(n[1] - 1, j)) * Big(binomial(n[2] - 1, k));
-          (x * factor).store(r.at(i, j, k), width_);
+          (x * factor).store(r.at(i, j, k), width);
         }
     return r;
   }
@@ -253,6 +280,11 @@ class SignTest {
 
 }  // namespace
 
+std::vector<Big> coefficients_of_n(const VPiece& piece, Units* units) {
+  const uint64_t limbs = 2 + uint64_t(piece.bits) / 32, doubled = piece.times(2);
+  units->add(2 + (piece.is_rational ? doubled : piece.count()) * doubled * limbs * limbs / 256);
+  return Determinant(piece).take();
+}
 void check_determinant(const VPiece& piece, const VEntry& entry, bool is_reversed,
                        const bool* may_vanish, Units* units) {
   const Ends whole = {{{true, true}, {true, true}, {true, true}}};
@@ -268,11 +300,10 @@ void check_determinant(const VPiece& piece, const VEntry& entry, bool is_reverse
       require(other == zero || (entry.zeros >> other & 1) == 0 || !is_part(zero, other, whole),
               "V2", "a zero is a part of another one");
   }
-  const uint64_t limbs = 2 + uint64_t(piece.bits) / 32, doubled = piece.times(2);
   units->id = "V2";
-  units->add(2 + (piece.is_rational ? doubled : piece.count()) * doubled * limbs * limbs / 256);
-  Determinant n(piece);
-  std::vector<Big>& c = n.coefficients();
+  std::vector<Big> c = coefficients_of_n(piece, units);
   for (size_t i = 0; is_reversed && i < c.size(); ++i) c[i] = -c[i];
-  SignTest(piece, entry, n.n(), units).run(std::move(c));
+  size_t n[3];
+  for (size_t a = 0; a < 3; ++a) n[a] = (piece.is_rational ? 4 : 3) * (piece.n[a] - 1);
+  SignTest(piece, entry, n, units).run(std::move(c));
 }

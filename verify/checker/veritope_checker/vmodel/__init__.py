@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Certificates of V-models: docs/certificates/vmodel.md."""
+"""The claims vmodel-1 (docs/certificates/vmodel.md) and vmodel-invalid-1 (docs/certificates/vmodel-invalid.md)."""

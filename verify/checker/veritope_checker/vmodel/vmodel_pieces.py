@@ -58,21 +58,37 @@ def is_one_point(points):
 def pieces_of(volume, breaks, spend):
     """The pieces of a cell, in their order; spend(units) is called for each."""
     axes = [[interval(volume, axis, lo, hi, spend) for lo, hi in zip(b, b[1:])] for axis, b in enumerate(breaks)]
-    sizes = [p + 1 for p in volume.degrees]
-    num_n = prod((4 if volume.rational else 3) * p for p in volume.degrees)
     for index in product(*[range(len(a)) for a in axes]):
-        chosen = [a[i] for a, i in zip(axes, index)]
-        net = windows(volume, [range(k - p, k + 1) for (k, _, _), p in zip(chosen, volume.degrees)])
-        spend(of_products(net, sizes, [bits for _, _, bits in chosen]))
-        for axis, (_, matrix, _) in enumerate(chosen):
-            if not is_unit(matrix):
-                net = [applied(matrix, a, axis, sizes) for a in net]
-        common = gcd(*[c for a in net for c in a])
-        piece = Piece(index, sizes, [[c // common for c in a] for a in net])
-        if num_n * piece.bits > MAX_SIZE:
-            raise Reject("B2", "the coefficients of a piece are too long for its degrees")
-        spend(2 + (prod(sizes) * sum(volume.degrees) * piece.bits >> 12))
-        yield piece
+        yield piece_on(volume, [a[i] for a, i in zip(axes, index)], spend, index)
+
+def piece_on(volume, chosen, spend, index=(0, 0, 0)):
+    """The piece of these three intervals."""
+    points = (volume.at(*at) for at in product(*map(window, chosen)))
+    num_n = prod((4 if volume.rational else 3) * p for p in volume.degrees)
+    return Piece(index, [p + 1 for p in volume.degrees], coefficients(points, chosen, spend, num_n))
+
+def window(chosen):
+    """The control points from which the coefficients on an interval are made."""
+    last, matrix, _ = chosen
+    return range(last + 1 - len(matrix), last + 1)
+
+def coefficients(points, chosen, spend, num_n=0):
+    """The four lists of Bernstein coefficients on a product of intervals, last axis fastest; points: the homogeneous
+    control points of their windows; num_n: the number of coefficients of N, of a piece."""
+    sizes, flat = [len(matrix) for _, matrix, _ in chosen], [c for point in points for c in point]
+    flat = integers(flat, MAX_BITS, "control points")
+    net = [flat[c::4] for c in range(4)]
+    spend(of_products(net, sizes, [bits for _, _, bits in chosen]))
+    for axis, (_, matrix, _) in enumerate(chosen):
+        if not is_unit(matrix):
+            net = [applied(matrix, a, axis, sizes) for a in net]
+    common = gcd(*[c for a in net for c in a])
+    net = [[c // common for c in a] for a in net]
+    bits = max(abs(c).bit_length() for a in net for c in a)
+    if num_n * bits > MAX_SIZE:
+        raise Reject("B2", "the coefficients of a piece are too long for its degrees")
+    spend(2 + (prod(sizes) * sum(n - 1 for n in sizes) * bits >> 12))
+    return net
 
 def interval(volume, axis, lo, hi, spend):
     """(last control point, matrix, bits of the numbers from which it is made)"""
@@ -89,11 +105,6 @@ def of_products(net, sizes, bits_of_axes):
         units += prod(sizes) * n * (32 + (1 + (longer >> 7)) * (1 + (length >> 6))) >> 5
         length += longer >> 1
     return units
-
-def windows(volume, ranges):
-    points = [volume.at(i, j, k) for i, j, k in product(*ranges)]
-    flat = integers([c for point in points for c in point], MAX_BITS, "control points")
-    return [flat[c::4] for c in range(4)]
 
 def is_unit(matrix):
     return all(c == (i == j) for i, row in enumerate(matrix) for j, c in enumerate(row))

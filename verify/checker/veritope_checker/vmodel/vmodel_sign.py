@@ -58,6 +58,11 @@ def determinant(piece, rational):
         number = a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g)
     return packing.unpacked(number), of_n
 
+def of_determinant(piece, rational):
+    """The units of N on a piece."""
+    limbs, doubled = 2 + piece.bits // 32, prod(2 * n - 1 for n in piece.sizes)
+    return 2 + ((doubled if rational else prod(piece.sizes)) * doubled * limbs ** 2 >> 8)
+
 def det4(p, q, r, s):
     def minor(a, b, i, j):
         return a[i] * b[j] - a[j] * b[i]
@@ -100,9 +105,7 @@ class SignTest:
                 raise Reject("V2", "a zero is a face that is neither collapsed nor in X")
             if any(z != zero and is_part(zero, z, [(True, True)] * 3) for z in self.zeros):
                 raise Reject("V2", "a zero is a part of another one")
-        p = [n - 1 for n in piece.sizes]
-        limbs, doubled = 2 + piece.bits // 32, prod(2 * n + 1 for n in p)
-        spend(2 + ((doubled if rational else prod(piece.sizes)) * doubled * limbs ** 2 >> 8))
+        spend(of_determinant(piece, rational))
         self.values, self.sizes = determinant(piece, rational)
         if flag:
             self.values = [-c for c in self.values]

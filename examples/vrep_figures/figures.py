@@ -69,7 +69,8 @@ class Figures:
         report = self.certify(model)
         n = json.loads(self.run("inspect", model, "--json", "-"))["counts"]
         is_valid = report["verdict"] == "VALID"
-        verdict = "not VALID" if not is_valid else "VALID" if report["regular"] else "VALID, not regular"
+        verdict = ("VALID" if report["regular"] else "VALID, not regular") if is_valid else " ".join(
+            [report["verdict"], *sorted({d["code"] for d in report["defects"]})])
         print(f"{name:10} {verdict:19} {counted(n['cells'], 'cell')}, "
               f"{n['v_surfaces']} V-surfaces ({n['internal']} internal), {n['half_v_surfaces']} half, "
               f"{n['v_curves']} V-curves, {n['v_points']} V-points")
@@ -90,8 +91,6 @@ class Figures:
 
     def details_1b(self, model):
         """The six faces bound a box, although the cell folds."""
-        [code] = {d["code"] for d in self.certify(model)["defects"]}
-        print(f"{'':10} it {'folds' if code in ('folded', 'volume-folded') else code}")
         self.run("convert", model, "faces.vjson", "--faces")
         report = self.certify("faces.vjson")
         print(f"{'':10} its six faces: {report['verdict']}")

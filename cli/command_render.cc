@@ -7,6 +7,8 @@
 #include "cli/checker_process.h"
 #include "cli/commands.h"
 #include "cli/expression_operands.h"
+#include "cli/model_input.h"
+#include "cli/model_view.h"
 #include "cli/output_plan.h"
 #include "io/base/exact_number.h"
 #include "io/base/scan.h"
@@ -20,11 +22,16 @@
 namespace veritope::cli {
 namespace {
 
+constexpr std::array<std::size_t, 2> kDefaultSize = {1200, 900};
+
 struct RenderOptions {
   InputOptions input;
   std::optional<std::string> output, json;
-  std::array<std::size_t, 2> size{1200, 900};
-  Point3d view = PictureOptions().view;
+  std::optional<std::array<std::size_t, 2>> size;
+  std::optional<Point3d> view;
+  std::optional<Rational> explode;
+  bool nets = false;
+  std::optional<double> chord;
   std::uint32_t grid = 0;  // points along each axis; 0: a shaded picture
   std::optional<ExactBox<3>> bounds;
   bool no_check = false;
@@ -41,10 +48,11 @@ std::vector<std::string> split_at_commas(const std::string& text) {
   return out;
 }
 
-std::string take_size(const std::string& text, std::array<std::size_t, 2>& size) {
+std::string take_size(const std::string& text, std::optional<std::array<std::size_t, 2>>& out) {
   const std::string wrong = "needs two sides W,H from 64 to 8192, not " + text;
   const std::vector<std::string> words = split_at_commas(text);
   if (words.size() != 2) return wrong;
+  std::array<std::size_t, 2>& size = out.emplace();
   for (std::size_t i = 0; i < 2; ++i) {
     if (words[i].empty() || words[i].size() > 4 ||
         words[i].find_first_not_of("0123456789") != std::string::npos)
@@ -55,8 +63,9 @@ std::string take_size(const std::string& text, std::array<std::size_t, 2>& size)
   return "";
 }
 
-std::string take_view(const std::string& text, Point3d& view) {
+std::string take_view(const std::string& text, std::optional<Point3d>& out) {
   const std::vector<std::string> words = split_at_commas(text);
+  Point3d& view = out.emplace();
   bool is_zero = true;
   for (std::size_t k = 0; k < 3; ++k) {
     Rational value;
@@ -69,9 +78,24 @@ std::string take_view(const std::string& text, Point3d& view) {
   return is_zero ? "is no direction: " + text : "";
 }
 
+std::string take_factor(const std::string& text, std::optional<Rational>& factor) {
+  constexpr int kMostFactor = 1'000'000;
+  Rational value;
+  if (read_exact_number(text, {}, value) != DecimalFault::kNone || value < Rational(0) ||
+      Rational(kMostFactor) < value)
+    return "needs a number from 0 to 1000000, not " + text;
+  factor = value;
+  return "";
+}
+
 void declare(OptionSet& set, RenderOptions& o) {
-  declare_file(set, "MODEL", o.input, "a mesh, splines that bound a solid, or an expression");
-  set.output("-o,--output", o.output, "write the picture: .png");
+  declare_file(set, "MODEL", o.input, "a mesh, surfaces, volumes or an expression");
+  set.output("-o,--output", o.output, "write the picture: .png; for viewers .vtu, .gltf, .obj");
+  set.option(
+      "--explode", "K", [&o](const std::string& t) { return take_factor(t, o.explode); },
+      "volumes: move cells apart, by K times their offset (0)");
+  set.flag("--nets", o.nets, "volumes: draw control nets");
+  set.length("--chord", "H", o.chord, "volumes: the distance of chords to aim at");
   set.option(
       "--size", "W,H", [&o](const std::string& t) { return take_size(t, o.size); },
       "pixels (1200,900)");
@@ -79,24 +103,45 @@ void declare(OptionSet& set, RenderOptions& o) {
       "--view", "X,Y,Z", [&o](const std::string& t) { return take_view(t, o.view); },
       "the direction of view (-5,8,-5)");
   set.number("--grid", o.grid, {1, kMostGridSide},
-             "show the points of an N x N x N grid that are in the\nsolid, and count them");
+             "count and show the points of an N^3 grid in the solid");
   set.option(
       "--bounds", "BOX", [&o](const std::string& t) { return take_box(t, o.bounds); },
-      "X0,Y0,Z0,X1,Y1,Z1: show, or ask, this box only\n(MODEL's box)");
+      "X0,Y0,Z0,X1,Y1,Z1: this box only (MODEL's box)");
   declare_json(set, o.json, "write the counts");
   declare_jobs(set, o.jobs);
   set.flag("--no-check", o.no_check, "do not run veritope-check");
   declare_reading(set, o.input.reading);
 }
 
-bool ends_in_png(const std::string& path) {
-  return path.size() > 4 && is_word(path.substr(path.size() - 4), ".png");
+// A stream is a picture, too.
+std::optional<ViewKind> kind_of_output(const RenderOptions& o) {
+  return is_stream(*o.output) ? ViewKind::kPng : view_kind(*o.output);
+}
+
+// Which of the options for cells of V-models is given; empty: none.
+std::string cell_option(const RenderOptions& o) {
+  return o.explode ? "--explode" : o.nets ? "--nets" : o.chord ? "--chord" : "";
+}
+
+std::string contradiction_of_kind(const RenderOptions& o) {
+  const std::optional<ViewKind> kind = kind_of_output(o);
+  if (!kind) return "the name " + *o.output + " does not end in .png, .vtu, .gltf or .obj";
+  const std::string of_pixels = o.size        ? "--size"
+                                : o.view      ? "--view"
+                                : o.grid != 0 ? "--grid"
+                                : o.bounds    ? "--bounds"
+                                              : "";
+  if (*kind != ViewKind::kPng && !of_pixels.empty()) return of_pixels + " is for .png";
+  if (*kind == ViewKind::kVtu && o.chord) return "--chord is for .png, .gltf and .obj";
+  if ((o.grid != 0 || o.bounds) && !cell_option(o).empty())
+    return std::string(o.grid != 0 ? "--grid" : "--bounds") + " shows the solid, and " +
+           cell_option(o) + " its cells";
+  return "";
 }
 
 std::string contradiction(const RenderOptions& o) {
   if (!o.output) return "-o F.png is required, the file of the picture";
-  if (!is_stream(*o.output) && !ends_in_png(*o.output))
-    return "the name " + *o.output + " does not end in .png";
+  if (const std::string wrong = contradiction_of_kind(o); !wrong.empty()) return wrong;
   if (o.output == "-" && o.json == "-")
     return "the picture and --json would both write standard output";
   if (needs_copy(o.input.files[0])) return "MODEL is a file, not " + o.input.files[0];
@@ -106,10 +151,19 @@ std::string contradiction(const RenderOptions& o) {
 class RenderRun {
  public:
   RenderRun(const RenderOptions& options, StandardOutput& out)
-      : options_(options), out_(out), progress_(true) {}
+      : options_(options), out_(out), progress_(true), kind_(*kind_of_output(options)) {}
 
   ExitCode run() {
     if (const Status status = check_outputs(); !status) return fail(status.error());
+    const bool is_chain = is_chain_file(path());
+    if (is_chain && (kind_ != ViewKind::kPng || !cell_option(options_).empty()))
+      return fail(
+          bad_argument((kind_ != ViewKind::kPng
+                            ? "the picture of an expression is a .png: nobody computed its surface"
+                            : cell_option(options_) + " is for files of volumes; " +
+                                  harmless(path()) + " is an expression")));
+    if (!is_chain && !options_.bounds && options_.grid == 0)
+      if (const std::optional<ExitCode> exit = draw_if_cells()) return *exit;
     std::string checker;
     if (!options_.no_check) {
       const Result<std::string> found = find_checker();
@@ -128,11 +182,16 @@ class RenderRun {
     report_.path = path();
     report_.sha256 = model->sha256;
     report_.seconds_read = watch_.lap();
+    if (kind_ != ViewKind::kPng) {
+      report_.bounds = operands.box_of(model->formula).value_or(model->box);
+      return write_solid();
+    }
     progress_.phase(shown_path(path()), "building the look-up");
     report_.bounds =
         options_.bounds ? *options_.bounds : operands.box_of(model->formula).value_or(model->box);
     std::vector<std::shared_ptr<const Operand>> solids;
-    for (ExpressionSolid& solid : operands.take_solids()) solids.push_back(std::move(solid.operand));
+    for (ExpressionSolid& solid : operands.take_solids())
+      solids.push_back(std::move(solid.operand));
     const ExpressionClassifier classifier(model->formula, std::move(solids));
     report_.seconds_build = watch_.lap();
     return draw(ExpressionProbe(classifier));
@@ -152,22 +211,106 @@ class RenderRun {
     return try_outputs(*plan, {options_.json, options_.output});
   }
 
-  ExitCode draw(const SolidProbe& solid) {
+  PictureOptions picture_options() const {
     PictureOptions look;
-    look.width = options_.size[0], look.height = options_.size[1];
-    look.view = options_.view;
+    const auto size = options_.size.value_or(kDefaultSize);
+    look.width = size[0], look.height = size[1];
+    if (options_.view) look.view = *options_.view;
     look.jobs = static_cast<unsigned>(options_.jobs);
+    return look;
+  }
+
+  // Nothing: MODEL is no file of volumes in space, or it cannot be read, and no option is for such files only.
+  std::optional<ExitCode> draw_if_cells() {
+    progress_.phase(shown_path(path()), "reading");
+    ModelReadOptions reading = options_.input.reading;
+    reading.jobs = options_.jobs;
+    ModelInput input(path(), reading);
+    const bool is_splines = input.kind() == ModelKind::kSplines;
+    const std::string option = cell_option(options_);
+    if (!is_splines && option.empty()) return std::nullopt;
+    const Result<ModelFile> model = input.take();
+    if (!model && option.empty()) return std::nullopt;
+    if (!model) return refuse_as_unreadable(model.error());
+    const auto* const file = std::get_if<SplineFile>(&*model);
+    const Status is_cells =
+        file == nullptr ? Status(bad_argument(std::string("it is ") + title_of(kind_of(*model))))
+                        : check_is_cells(*file);
+    if (is_cells) return draw_cells(*file);
+    if (option.empty()) return std::nullopt;
+    progress_.clear();
+    complain(harmless(option + " is for files of volumes in space; " + shown_path(path()) + ": " +
+                      text_of(finding_of(is_cells.error()))));
+    return kExitUsage;
+  }
+
+  static Status check_is_cells(const SplineFile& file) {
+    for (const LeftOut& l : file.left_out)
+      if (l.is_geometry)
+        return bad_argument("shapes of the file are not read: " + l.what + " (" +
+                            std::to_string(l.count) + ")");
+    return check_is_volumes(file.model);
+  }
+
+  ExitCode refuse_as_unreadable(const Error& error) {
+    progress_.clear();
+    complain(harmless(to_string(error)));
+    return kExitUnreadable;
+  }
+
+  ExitCode draw_cells(const SplineFile& file) {
+    report_.path = path();
+    report_.sha256 = file.sha256;
+    report_.seconds_read = watch_.lap();
+    progress_.phase(shown_path(path()), "drawing");
+    VolumeViewOptions how;
+    const Rational factor = options_.explode.value_or(Rational(0));
+    how.explode = nearest_double(factor);
+    how.has_nets = options_.nets;
+    how.chord = options_.chord;
+    const Result<ModelView> view = view_of_cells(file.model, how, kind_, picture_options());
+    progress_.clear();
+    if (!view) return refuse(view.error());
+    report_.cells = CellPicture{file.model.entities.size(), factor.to_string(), options_.nets};
+    for (std::size_t k = 0; k < 3; ++k)
+      report_.bounds[k] = {Rational::from_double(view->box.lo[k]),
+                           Rational::from_double(view->box.hi[k])};
+    return write(*view);
+  }
+
+  ExitCode write_solid() {
+    progress_.phase(shown_path(path()), "drawing");
+    const Result<ModelFile> model = read_model_file(path(), options_.input.reading);
+    if (!model) return refuse_as_unreadable(model.error());
+    if (sha256_of(*model) != report_.sha256)
+      return refuse(Error{Code::kCannotOpen, {}, "it has changed since it was decided"});
+    const Result<ModelView> view = view_of_solid(*model, kind_);
+    progress_.clear();
+    return view ? write(*view) : refuse(view.error());
+  }
+
+  ExitCode write(const ModelView& view) {
+    report_.picture = *options_.output;
+    if (kind_ == ViewKind::kPng) report_.size = options_.size.value_or(kDefaultSize);
+    if (const Status status = write_output(*options_.output, view.bytes, out_); !status)
+      return fail(status.error());
+    report_.seconds_draw = watch_.lap();
+    return say(view.content);
+  }
+
+  ExitCode draw(const SolidProbe& solid) {
+    const PictureOptions look = picture_options();
     const Result<Image> image = options_.grid != 0 ? draw_grid(solid, look) : cast(solid, look);
     progress_.clear();
     if (!image && image.error().code == Code::kOverLimit && options_.bounds && options_.grid == 0)
       return complain("--bounds: " + image.error().message), kExitUsage;
     if (!image) return refuse(image.error());
     report_.picture = *options_.output;
-    report_.width = image->width, report_.height = image->height;
+    report_.size = {image->width, image->height};
     if (const Status status = write_output(*options_.output, png_bytes(*image), out_); !status)
       return fail(status.error());
     report_.seconds_draw = watch_.lap();
-    return say();
+    return say("");
   }
 
   Result<Image> cast(const SolidProbe& solid, const PictureOptions& look) {
@@ -194,10 +337,13 @@ class RenderRun {
     return draw_point_grid(grid, look, &progress_.work());
   }
 
-  ExitCode say() {
+  ExitCode say(const std::string& content) {
     const auto& grid = report_.grid;
-    std::string text = "wrote  " + unbroken(harmless(*options_.output)) + "  " +
-                       std::to_string(report_.width) + " x " + std::to_string(report_.height);
+    std::string text = "wrote  " + unbroken(harmless(*options_.output)) + "  ";
+    if (report_.size)
+      text += std::to_string((*report_.size)[0]) + " x " + std::to_string((*report_.size)[1]);
+    if (report_.size && !content.empty()) text += ", ";
+    text += content;
     if (grid)
       text += ", " + counted(std::uint64_t{grid->n} * grid->n * grid->n, "point", "points") + ": " +
               std::to_string(grid->in) + " in, " + std::to_string(grid->on) + " on, " +
@@ -222,6 +368,7 @@ class RenderRun {
   Progress progress_;
   Stopwatch watch_;
   RenderReport report_;
+  const ViewKind kind_;
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr std::array<Command, 17> kCommands = {{
     {"classify", "decide whether points are in, on or out of a solid", declare_classify},
     {"boolean", "write an expression of solids, for classify", declare_boolean},
     {"chain", "list the cells of a solid's chains, and what they cost", declare_chain},
-    {"render", "write a picture of a solid, or of points in it", declare_render},
+    {"render", "write a picture of a solid, its cells, or points in it", declare_render},
     {"cover", "write the boxes and cells of a proof, to look at", declare_cover},
     {"explain", "explain a rule or an answer; without RULE list them", declare_explain},
     {"explain-certificate", "print a certificate as text", declare_explain_certificate},

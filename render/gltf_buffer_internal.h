@@ -13,7 +13,7 @@ namespace veritope::internal {
 
 class GltfBuffer {
  public:
-  static constexpr int kTriangles = 4, kLineStrip = 3;
+  static constexpr int kTriangles = 4, kLineStrip = 3, kLines = 1;
 
   /// The number of an accessor of these points minus the origin, in binary32. REQUIRES a point; finite results.
   std::size_t add_points(const std::vector<Point3d>& points, const Point3d& origin = {});

@@ -51,11 +51,12 @@ Point3d normal_to(const Point3d& along) {
 
 class MarkSolids {
  public:
-  explicit MarkSolids(double scene_size) : size_(scene_size) {}
+  MarkSolids(double scene_size, double tube_radius)
+      : size_(scene_size), tube_radius_(scene_size * tube_radius) {}
 
   void add(const SceneLine& line) {
     SceneSurface& surface = surface_of(line.colour);
-    if (line.points.size() == 1) add_dot(line.points[0], size_ * kTubeRadius, surface);
+    if (line.points.size() == 1) add_dot(line.points[0], tube_radius_, surface);
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
       add_tube(line.points[i], line.points[i + 1], surface);
   }
@@ -104,7 +105,7 @@ class MarkSolids {
                                                                    {-1, 0},
                                                                    {-kHalf, -kRootOf3By2},
                                                                    {kHalf, -kRootOf3By2}}};
-    const double radius = size_ * kTubeRadius;
+    const double radius = tube_radius_;
     if (is_short(a, b)) return add_dot(a, radius, out);
     const Point3d along = direction(a, b), u = normal_to(along), v = cross_of(along, u);
     const auto first = static_cast<std::uint32_t>(out.points.size()), last = first + 2 * kSides;
@@ -138,7 +139,7 @@ class MarkSolids {
     }
   }
 
-  double size_;
+  double size_, tube_radius_;
   std::vector<SceneSurface> surfaces_;  // with one paint each
 };
 
@@ -151,8 +152,8 @@ double approx_scene_size(const Scene& scene) {
   return size > 0 ? size : 1;
 }
 
-std::vector<SceneSurface> with_solid_marks(Scene scene) {
-  MarkSolids marks(approx_scene_size(scene));
+std::vector<SceneSurface> with_solid_marks(Scene scene, double tube_radius) {
+  MarkSolids marks(approx_scene_size(scene), tube_radius);
   for (const SceneLine& line : scene.lines) marks.add(line);
   for (const SceneMarker& marker : scene.markers) marks.add(marker);
   std::vector<SceneSurface> out = std::move(scene.surfaces);

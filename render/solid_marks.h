@@ -21,7 +21,8 @@ double approx_scene_size(const Scene& scene);
 /// The scene's surfaces as they are, and after them a surface for each colour of its marks, opaque, by the legend; the
 /// name is the legend's text, or "marks". Each piece of a line is a closed tube with six sides and pointed ends, or an
 /// octahedron of its radius if it is a point, see kShortLine. Coordinates beyond binary64 are moved to its end.
-std::vector<SceneSurface> with_solid_marks(Scene scene);
+/// @param tube_radius  relative to the longest side of the scene's box
+std::vector<SceneSurface> with_solid_marks(Scene scene, double tube_radius = kTubeRadius);
 
 /// The surface without points that no triangle uses, which would spoil boxes.
 SceneSurface without_unused_points(SceneSurface surface);

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "render/spline_view_internal.h"
+#include "render/volume_net_internal.h"
+#include "render/volume_view.h"
 
 namespace veritope {
 namespace {
@@ -13,9 +15,14 @@ constexpr int kCellType = N == 1   ? 75
                           : N == 2 ? 77
                                    : 79;  // VTK_BEZIER_CURVE, _QUADRILATERAL, _HEXAHEDRON
 constexpr int kTriangleType = 76;         // VTK_BEZIER_TRIANGLE
+constexpr int kLineType = 3;              // VTK_LINE
 
 class VtuWriter {
  public:
+  VtuWriter() = default;
+  /// Entities are cells of a V-model, which have colours and may be moved.
+  explicit VtuWriter(const VolumeLayout& layout) : layout_(&layout) {}
+
   template <std::size_t N>
   Status add(const BSpline<Rational, N>& spline, std::uint64_t entity) {
     const auto s = internal::rounded_pieces(spline, entity);
@@ -37,6 +44,20 @@ class VtuWriter {
     add_cell(*triangle, order, {triangle->degree(), triangle->degree(), 1}, kTriangleType, entity);
     return ok_status();
   }
+  /// The lines between neighbours among the control points. REQUIRES a layout.
+  Status add_net(const ExactVolume& volume, std::uint64_t entity) {
+    const auto lines = internal::net_lines(volume);
+    const std::vector<Point3d> points = internal::rounded_net(volume);
+    if (num_points_ + points.size() > internal::kMostViewPoints) return too_many(entity);
+    const std::uint64_t first = num_points_;
+    for (const Point3d& p : points) add_point(p, 1, entity);
+    for (const auto& [a, b] : lines) {
+      connectivity_ += std::to_string(first + a) + ' ' + std::to_string(first + b) + '\n';
+      num_corners_ += 2;
+      close_cell({1, 1, 1}, kLineType, entity);
+    }
+    return ok_status();
+  }
   std::string write() const {
     std::string out =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
@@ -47,7 +68,10 @@ class VtuWriter {
            array("Float64", "RationalWeights", 1, weights_) + "</PointData>\n";
     out += "<CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n" +
            array("Float64", "HigherOrderDegrees", 3, degrees_) +
-           array("Int64", "entity", 1, entities_) + "</CellData>\n";
+           array("Int64", layout_ == nullptr ? "entity" : "cell", 1, entities_);
+    if (layout_ != nullptr)
+      out += array("UInt8", "colour", 4, colours_) + array("Int64", "net", 1, nets_);
+    out += "</CellData>\n";
     out += "<Points>\n" + array("Float64", "Points", 3, points_) + "</Points>\n<Cells>\n" +
            array("Int64", "connectivity", 1, connectivity_) +
            array("Int64", "offsets", 1, offsets_) + array("UInt8", "types", 1, types_) +
@@ -80,27 +104,45 @@ class VtuWriter {
   void add_cell(const Map& piece, const std::vector<std::size_t>& order,
                 const std::array<int, 3>& degrees, int type, std::uint64_t entity) {
     for (const std::size_t i : order) {
-      const auto p = internal::control_point(piece, i);
-      for (std::size_t k = 0; k < 3; ++k) {
-        internal::append_number(points_, p[k]);
-        points_ += k == 2 ? '\n' : ' ';
-      }
-      internal::append_number(weights_,
-                              piece.is_rational() ? piece.component(piece.dimension())[i] : 1);
-      weights_ += '\n';
-      connectivity_ += std::to_string(num_points_++) + ' ';
+      connectivity_ += std::to_string(num_points_) + ' ';
+      ++num_corners_;
+      add_point(internal::control_point(piece, i),
+                piece.is_rational() ? piece.component(piece.dimension())[i] : 1, entity);
     }
     connectivity_ += '\n';
+    close_cell(degrees, type, entity);
+  }
+  void add_point(const Point3d& p, double weight, std::uint64_t entity) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      internal::append_number(points_,
+                              layout_ == nullptr ? p[k] : p[k] + layout_->offsets[entity][k]);
+      points_ += k == 2 ? '\n' : ' ';
+    }
+    internal::append_number(weights_, weight);
+    weights_ += '\n';
+    ++num_points_;
+  }
+  // A cell whose points are those that were added to connectivity_.
+  void close_cell(const std::array<int, 3>& degrees, int type, std::uint64_t entity) {
     for (std::size_t a = 0; a < 3; ++a)
       degrees_ += std::to_string(degrees[a]) + (a == 2 ? "\n" : " ");
-    offsets_ += std::to_string(num_points_) + '\n';
+    offsets_ += std::to_string(num_corners_) + '\n';
     types_ += std::to_string(type) + '\n';
     entities_ += std::to_string(entity) + '\n';
     ++num_cells_;
+    if (layout_ == nullptr) return;
+    const bool is_net = type == kLineType;
+    const Colour c = is_net ? net_colour(cell_colour(entity)) : cell_colour(entity);
+    for (const std::uint8_t channel : {c.red, c.green, c.blue})
+      colours_ += std::to_string(channel) + ' ';
+    colours_ += "255\n";
+    nets_ += is_net ? "1\n" : "0\n";
   }
 
-  std::uint64_t num_points_ = 0, num_cells_ = 0;
-  std::string points_, weights_, connectivity_, degrees_, offsets_, types_, entities_;
+  const VolumeLayout* layout_ = nullptr;
+  std::uint64_t num_points_ = 0, num_cells_ = 0, num_corners_ = 0;
+  std::string points_, weights_, connectivity_, degrees_, offsets_, types_, entities_, colours_,
+      nets_;
 };
 
 Status add_shape(VtuWriter& out, const SplineEntity& entity, std::uint64_t number) {
@@ -129,6 +171,20 @@ Result<std::string> vtu_bytes(const SplineModel& model) {
 }
 
 }  // namespace internal
+
+Result<std::string> volume_vtu(const SplineModel& model, const VolumeLayout& layout,
+                               const VolumeViewOptions& options) {
+  VtuWriter out(layout);
+  for (std::size_t i = 0; i < model.entities.size(); ++i) {
+    const ExactVolume& volume = std::get<ExactVolume>(model.entities[i].shape);
+    if (Status status = out.add(volume, i); !status) return status.error();
+  }
+  for (std::size_t i = 0; i < model.entities.size() && options.has_nets; ++i) {
+    const ExactVolume& volume = std::get<ExactVolume>(model.entities[i].shape);
+    if (Status status = out.add_net(volume, i); !status) return status.error();
+  }
+  return out.write();
+}
 
 std::size_t vtk_point_index(const std::array<std::size_t, 1>& index,
                             const std::array<int, 1>& degrees) {

@@ -15,6 +15,18 @@ Json grid_json(const GridCounts& grid) {
           {"undecided", grid.undecided}};
 }
 
+Json picture_json(const RenderReport& report) {
+  Json out;
+  out["path"] = report.picture;
+  out["width"] = report.size ? Json((*report.size)[0]) : Json(nullptr);
+  out["height"] = report.size ? Json((*report.size)[1]) : Json(nullptr);
+  return out;
+}
+
+Json cells_json(const CellPicture& cells) {
+  return {{"count", cells.count}, {"explode", cells.explode}, {"nets", cells.has_nets}};
+}
+
 }  // namespace
 
 std::string render_json(const RenderReport& report) {
@@ -24,9 +36,10 @@ std::string render_json(const RenderReport& report) {
   out["schema"] = "veritope-render-1";
   out["tool"] = tool_name();
   out["model"] = {{"path", report.path}, {"sha256", report.sha256}};
-  out["picture"] = {{"path", report.picture}, {"width", report.width}, {"height", report.height}};
+  out["picture"] = picture_json(report);
   out["bounds"] = bounds;
   out["grid"] = report.grid ? grid_json(*report.grid) : Json(nullptr);
+  out["cells"] = report.cells ? cells_json(*report.cells) : Json(nullptr);
   out["seconds"] = {{"read", seconds_json(report.seconds_read)},
                     {"build", seconds_json(report.seconds_build)},
                     {"draw", seconds_json(report.seconds_draw)}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // report/render_report.h: what veritope render says of a picture.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -16,12 +17,20 @@ struct GridCounts {
   std::uint64_t in = 0, on = 0, out = 0, undecided = 0;
 };
 
+/// The cells of a V-model in a picture.
+struct CellPicture {
+  std::uint64_t count = 0;
+  std::string explode;  ///< the factor, exactly
+  bool has_nets = false;
+};
+
 struct RenderReport {
   std::string path, sha256;  ///< of the model
   std::string picture;       ///< the path of the file
-  std::size_t width = 0, height = 0;
+  std::optional<std::array<std::size_t, 2>> size;  ///< width and height in pixels; none: a file for viewers
   ExactBox<3> bounds;
   std::optional<GridCounts> grid;
+  std::optional<CellPicture> cells;
   double seconds_read = 0, seconds_build = 0, seconds_draw = 0;
 };
 

@@ -69,6 +69,7 @@ class Schema(Folder):
         yield json.loads(run("convert", MODELS / "splines" / "two_cubes.mesh", self.folder / "w.vjson", "--weld", "1e-9", "--json", "-").stdout)
         yield json.loads(run("chain", MODELS / "patches" / "cube.itd", "--origin", "auto", "--json", "-").stdout)
         yield json.loads(run("render", self.folder / "e.json", "-o", self.folder / "e.png", "--grid", 3, "--size", "64,64", "--json", "-").stdout)
+        yield json.loads(run("render", self.folder / "t.vjson", "-o", self.folder / "t.gltf", "--explode", "1/3", "--json", "-").stdout)
         curves, square = self.folder / "curves.json", self.folder / "square.itd"
         square.write_text(SQUARE)
         yield json.loads(run("intersect", MODELS / "patches" / "cube.itd", square, "--json", "-", "-o", curves).stdout)

@@ -73,6 +73,8 @@ def command_lines():
     yield ["certify", "e.json"]
     yield ["render", "e.json", "-o", "e.png", "--size", "64,64", "--grid", "25"]
     yield ["render", "examples/self_crossing.off", "-o", "e.png"]
+    yield ["render", "tests/models/splines/two_cubes.mesh", "-o", "a.gltf", "--explode", "1", "--nets"]
+    yield ["render", "examples/self_crossing.off", "-o", "e.png", "--nets"]
     yield ["cover", cube, "-o", "o.vtu"]
     yield ["cover", cube, "--sweep", "1"]
     for page in ([], ["M3"], ["side-open"], ["undecided"], ["face"]):

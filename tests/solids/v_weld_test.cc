@@ -360,6 +360,45 @@ TEST(VWeld, GridsWithGapsAroundEpsAreWeldedInParts) {
   EXPECT_GT(by_sides, 0u);
 }
 
+// A cube of six pyramids over its faces, and one of four wedges around the z axis, each cell shifted as a whole: what is
+// collapsed follows its neighbours.
+TEST(VWeld, CollapsedFacesFollowTheirNeighbours) {
+  const std::uint64_t seed = 11;
+  Random random(seed);
+  const auto sign = [](std::size_t i) { return Rational(i == 0 ? -1 : 1); };
+  for (int round = 0; round < 20; ++round) {
+    const bool has_wedges = round % 2 == 1;
+    std::vector<VVolume> cells;
+    for (std::size_t n = 0; n < (has_wedges ? 4u : 6u); ++n)
+      cells.push_back(
+          v_cells::polynomial({1, 1, 1}, [&](std::size_t i, std::size_t j, std::size_t k) {
+            Point p{};
+            if (has_wedges) {
+              const std::size_t a = n / 2;
+              p[a] = i == 0 ? Rational(0) : sign(n % 2);
+              p[1 - a] = i == 0 ? Rational(0) : sign(j);
+              p[2] = Rational(k);
+            } else if (k == 0) {
+              p[n / 2] = sign(n % 2), p[(n / 2 + 1) % 3] = sign(i), p[(n / 2 + 2) % 3] = sign(j);
+            }
+            return p;
+          }));
+    for (VVolume& cell : cells) {
+      Point shift;
+      for (Rational& x : shift) x = kEps * ratio(random.between(-1000, 1000), 4001);
+      cell = v_cells::redescribed(v_cells::turned(cell, static_cast<unsigned>(random.below(48))),
+                                  random);
+      cell = with_shift(
+          cell, [](const auto&) { return true; }, shift);
+    }
+    const VWeld out = welded(cells, kEps);
+    EXPECT_EQ(out.glued_after, has_wedges ? 4u : 12u)
+        << "seed " << seed << ", round " << round << "\n"
+        << text_of_cells(cells);
+    EXPECT_LE(out.largest_displacement, kEps / Rational(2));
+  }
+}
+
 TEST(VWeld, ADistanceThatIsMuchTooLargeIsRefused) {
   std::vector<VVolume> cells;
   for (int n = 0; n < 100; ++n) cells.push_back(cube(2 * n, 0, 0));

@@ -102,6 +102,11 @@ Status take_faces(SplineFile& file, const std::string& path, std::vector<std::st
   }
   if (faces->num_others != 0)
     lost.push_back(counted(faces->num_others, "entity", "entities") + " besides the volumes");
+  if (!faces->with_attributes.empty())
+    lost.push_back("the coordinates beyond the third of " +
+                   counted(faces->with_attributes.size(), "volume", "volumes") +
+                   (faces->with_attributes.size() == 1 ? ", entity " : ", the first entity ") +
+                   std::to_string(faces->with_attributes.front()));
   dropped.push_back("the inside of " + counted(faces->num_volumes, "volume", "volumes"));
   if (faces->num_flat != 0)
     dropped.push_back(counted(faces->num_flat, "face", "faces") + " without area");

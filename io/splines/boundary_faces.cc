@@ -9,6 +9,7 @@
 
 #include "robust/base/entity_error.h"
 #include "solids/patches/patch_net.h"
+#include "splines/bspline_components.h"
 #include "splines/knot_insertion.h"
 
 namespace veritope {
@@ -38,20 +39,27 @@ std::optional<std::string> fault_of_axis(const Axis& axis) {
   return std::nullopt;
 }
 
-// Whether the homogeneous coordinates of control point i, brought to integers, and their denominator are short.
+// Whether the homogeneous coordinates of control point i without attributes, brought to integers, and their denominator
+// are short; so are its attributes, one by one.
 bool is_short(const ExactVolume& volume, std::size_t i) {
+  for (int c = 3; c < volume.dimension(); ++c) {
+    const Rational& x = volume.component(c)[i];
+    if (std::max(x.numerator().bit_length(), x.denominator().bit_length()) > kMostBits)
+      return false;
+  }
+  std::vector<int> components = {0, 1, 2};
+  if (volume.is_rational()) components.push_back(volume.dimension());
   std::uint64_t at_most = 0, longest = 0;
-  for (int c = 0; c < volume.num_components(); ++c) {
+  for (const int c : components) {
     const Rational& x = volume.component(c)[i];
     at_most += x.denominator().bit_length();
     longest = std::max(longest, x.numerator().bit_length());
   }
   if (at_most + longest <= kMostBits) return true;
   Integer common(1);
-  for (int c = 0; c < volume.num_components(); ++c)
-    common = lcm(common, volume.component(c)[i].denominator());
+  for (const int c : components) common = lcm(common, volume.component(c)[i].denominator());
   if (common.bit_length() > kMostBits) return false;
-  for (int c = 0; c < volume.num_components(); ++c) {
+  for (const int c : components) {
     const Rational& x = volume.component(c)[i];
     if ((x.numerator() * divide_exactly(common, x.denominator())).bit_length() > kMostBits)
       return false;
@@ -60,7 +68,7 @@ bool is_short(const ExactVolume& volume, std::size_t i) {
 }
 
 std::optional<std::string> fault_of_volume(const ExactVolume& volume) {
-  if (volume.dimension() != 3)
+  if (volume.dimension() < 3)
     return "a volume with " + std::to_string(volume.dimension()) + " coordinates";
   for (std::size_t a = 0; a < 3; ++a)
     if (const auto text = fault_of_axis(volume.axis(a)))
@@ -146,7 +154,8 @@ class HandOf {
     std::array<Rational, 3> out;
     for (int c = 0; c < 3; ++c) {
       out[static_cast<std::size_t>(c)] = volume_.component(c)[i];
-      if (volume_.is_rational()) out[static_cast<std::size_t>(c)] /= volume_.component(3)[i];
+      if (volume_.is_rational())
+        out[static_cast<std::size_t>(c)] /= volume_.component(volume_.dimension())[i];
     }
     return out;
   }
@@ -379,7 +388,8 @@ Result<BoundaryFaces> boundary_faces(const SplineModel& model) {
   std::vector<FaceForm> forms;
   for (std::uint64_t e = 0; e < model.entities.size(); ++e) {
     if (auto error = fault_of_entity(model.entities[e], e)) return std::move(*error);
-    const auto& volume = std::get<ExactVolume>(model.entities[e].shape);
+    const ExactVolume volume =
+        first_coordinates(std::get<ExactVolume>(model.entities[e].shape), 3);
     const HandOf hand(volume);
     const std::optional<Sign> at_corners = hand.at_corners();
     if (!at_corners)

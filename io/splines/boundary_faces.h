@@ -20,8 +20,8 @@ namespace veritope {
 /// folds.
 std::optional<Sign> hand_at_corners(const ExactVolume& volume);
 
-/// Whether section 1 of the rule holds: all entities are volumes in space with clamped axes, not torn at inner knots,
-/// and with numbers of bounded length.
+/// Whether section 1 of the rule holds: all entities are volumes with at least three coordinates and clamped axes,
+/// not torn at inner knots, and with numbers of bounded length.
 bool are_clamped_volumes(const SplineModel& model);
 
 struct BoundaryFaces {
@@ -30,8 +30,9 @@ struct BoundaryFaces {
   std::uint64_t num_flat = 0;     ///< faces without area that were left out
   std::uint64_t num_walls = 0;    ///< pairs of faces that were left out
 };
-/// @error  where the rule refuses the model, with the entity: kBadArgument for one that is not a volume in space, that
-/// has an axis without clamped ends or with a knot at which it may be torn, or too long numbers, or that folds at its
+/// Coordinates from the fourth on, attributes, are left out.
+/// @error  where the rule refuses the model, with the entity: kBadArgument for one that is not a volume, that
+/// has fewer than three coordinates, an axis without clamped ends or with a knot at which it may be torn, or too long numbers, or that folds at its
 /// corners. kEmpty if no face is
 /// left.
 /// @cost  near-linear in the control points of the faces

@@ -18,6 +18,7 @@
 #include "splines/bezier_calculus.h"
 #include "splines/bezier_components.h"
 #include "splines/bezier_domain.h"
+#include "splines/bspline_components.h"
 #include "splines/de_casteljau.h"
 #include "splines/knot_insertion.h"
 
@@ -174,16 +175,17 @@ Result<VolumeFaces> volume_faces(const SplineModel& model) {
       continue;
     }
     ++out.num_volumes;
-    if (volume->dimension() != 3)
+    if (volume->dimension() < 3)
       return error_at_entity(
           Code::kBadArgument, e,
           "a volume with " + std::to_string(volume->dimension()) + " coordinates, not in space");
+    if (volume->dimension() > 3) out.with_attributes.push_back(e);
     // There are at most as many pieces as control points.
     if (volume->grid().count() > kMaxPatches / 6 - all.size())
       return error_at_entity(
           Code::kOverLimit, e,
           "the volumes up to this one may have over " + std::to_string(kMaxPatches) + " faces");
-    Pieces cut = bezier_pieces(*volume);
+    Pieces cut = bezier_pieces(first_coordinates(*volume, 3));
     const std::optional<bool> is_mirrored = mirror_left_handed(cut.pieces);
     if (!is_mirrored)
       return error_at_entity(Code::kOverLimit, e,

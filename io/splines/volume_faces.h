@@ -19,6 +19,8 @@ struct VolumeFaces {
   std::uint64_t num_others = 0;         ///< entities that are not volumes; they are not examined
   std::uint64_t num_flat = 0;           ///< faces without area that were left out
   std::vector<std::uint64_t> mirrored;  ///< entities that are left-handed
+  /// Entities with coordinates from the fourth on, which the patches do not have.
+  std::vector<std::uint64_t> with_attributes;
 };
 /// The faces of the Bezier pieces of all volumes, except walls, which two pieces share as a whole and exactly
 /// (faces_of), and faces without area: points, and faces whose homogeneous control points are equal along an axis up to
@@ -27,8 +29,8 @@ struct VolumeFaces {
 /// negative, the volume is mirrored first (its first two axes change places). It is not tested whether the determinant
 /// has one sign everywhere, nor whether the patches bound a solid.
 /// At an inner knot where a volume is torn, both of its sides are faces.
-/// @error kEmpty without a volume, and where no face is left (a flat volume). With the entity: kBadArgument for one not
-/// in space, kOverLimit for over kMaxPatches faces before walls go, and for a determinant that rounded numbers do not
+/// @error kEmpty without a volume, and where no face is left (a flat volume). With the entity: kBadArgument for one
+/// with fewer than three coordinates, kOverLimit for over kMaxPatches faces before walls go, and for a determinant that rounded numbers do not
 /// decide and whose exact numbers are longer than 2^16 bits.
 Result<VolumeFaces> volume_faces(const SplineModel& model);
 

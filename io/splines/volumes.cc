@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "io/splines/volumes.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include "robust/base/entity_error.h"
+#include "splines/bspline_components.h"
 #include "splines/bspline_domain.h"
 
 namespace veritope {
@@ -14,7 +16,24 @@ bool is_clamped_axis(const ExactVolume::Axis& axis) {
   return axis.knots.front() == axis.domain_begin() && axis.knots.back() == axis.domain_end();
 }
 
+bool has_attribute(const SplineEntity& entity) {
+  const auto* const volume = std::get_if<ExactVolume>(&entity.shape);
+  return volume != nullptr && volume->dimension() > 3;
+}
+
 }  // namespace
+
+bool has_attributes(const SplineModel& model) {
+  return std::any_of(model.entities.begin(), model.entities.end(), has_attribute);
+}
+
+SplineModel without_attributes(const SplineModel& model) {
+  SplineModel out = model;
+  for (SplineEntity& entity : out.entities)
+    if (has_attribute(entity))
+      entity.shape = first_coordinates(std::get<ExactVolume>(entity.shape), 3);
+  return out;
+}
 
 Result<std::vector<ExactVolume>> volumes_of(const SplineFile& file) {
   for (const LeftOut& l : file.left_out)

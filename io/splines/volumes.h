@@ -13,4 +13,9 @@ namespace veritope {
 ///        an entity
 Result<std::vector<ExactVolume>> volumes_of(const SplineFile& file);
 
+/// Whether volumes of the model have attributes: coordinates from the fourth on.
+bool has_attributes(const SplineModel& model);
+/// The model with the first three coordinates of its volumes with attributes.
+SplineModel without_attributes(const SplineModel& model);
+
 }  // namespace veritope

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "io/splines/write_splines.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <span>
 
 #include "io/base/exact_number.h"
@@ -33,6 +35,19 @@ std::size_t num_changed(const SplineModel& model, const SplineModel& back) {
     if (j < back.entities.size() && entity.shape.index() == back.entities[j].shape.index()) ++j;
   }
   return changed;
+}
+
+// Which entity has more coordinates than .itd holds.
+std::optional<std::string> beyond_itd(const SplineModel& model) {
+  constexpr int kMostCoordinatesOfItd = 9;
+  for (std::size_t i = 0; i < model.entities.size(); ++i) {
+    int most = 0;
+    for_each_spline(model.entities[i], [&](const auto& s) { most = std::max(most, s.dimension()); });
+    if (most > kMostCoordinatesOfItd)
+      return "entity " + std::to_string(i) + " has " + std::to_string(most) +
+             " coordinates, and .itd holds at most " + std::to_string(kMostCoordinatesOfItd);
+  }
+  return std::nullopt;
 }
 
 // At least 17 significant digits, truncated, of a magnitude that binary64 does not have. REQUIRES value != 0.
@@ -66,10 +81,13 @@ std::string spline_bytes(const SplineModel& model, SplineFormat format, const Re
 SplineLoss spline_loss(const SplineModel& model, SplineFormat format, const std::string& bytes,
                        const ReadLimits& limits) {
   SplineLoss loss;
+  const auto too_many = format == SplineFormat::kItd ? beyond_itd(model) : std::nullopt;
   if (bytes.empty()) {
-    loss.unreadable = Error{Code::kEmpty, {}, "no spline is left for it to hold"};
+    loss.unreadable = Error{
+        Code::kEmpty, {}, "no spline is left for it to hold" + (too_many ? ": " + *too_many : "")};
     return loss;
   }
+  if (too_many) loss.shapes.push_back(*too_many);
   const ByteBuffer buffer =
       copy_to_buffer({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
   const std::string name = "output";

@@ -8,6 +8,7 @@
 #include "robust/base/entity_error.h"
 #include "solids/vmodel/jacobian_sign.h"
 #include "solids/vmodel/v_model_maker_internal.h"
+#include "splines/bspline_components.h"
 #include "splines/knot_insertion.h"
 
 namespace veritope {
@@ -80,16 +81,7 @@ Result<VVolume> geometry_of(const VVolume& volume) {
   if (volume.dimension() < 3)
     return bad_argument("a volume with " + std::to_string(volume.dimension()) +
                         " coordinates, not in space");
-  if (volume.dimension() == 3) return volume;
-  std::vector<Rational> values;
-  for (int c = 0; c < 3; ++c)
-    values.insert(values.end(), volume.component(c).begin(), volume.component(c).end());
-  if (volume.is_rational()) {
-    const auto weights = volume.component(volume.num_components() - 1);
-    values.insert(values.end(), weights.begin(), weights.end());
-  }
-  return VVolume(volume.axes(), volume.is_rational() ? 4 : 3, volume.is_rational(),
-                 std::move(values));
+  return first_coordinates(volume, 3);
 }
 
 std::optional<Error> VModelMaker::take(std::vector<VVolume> cells) {

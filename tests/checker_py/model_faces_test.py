@@ -341,11 +341,24 @@ class Formats(FacesTest):
         for other in (curve, dict(curve, kind="model", shape={}), dict(curve, kind="trimmed", shape={}), forge.triangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)])):
             self.assertFalse(texts.is_read(vc, json.dumps(dict(model, entities=model["entities"] + [other])).encode(), "vjson-faces"))
         self.assertFalse(texts.is_read(vc, json.dumps(dict(model, entities=[])).encode(), "vjson-faces"))
-        for dimension in (2, 4):
-            plane = texts.bezier((1, 1, 1), lambda u, v, w: [u, v, w, u][:dimension])
+        for dimension in (1, 2):
+            plane = texts.bezier((1, 1, 1), lambda u, v, w: [u, v, w][:dimension])
             for subject_format in ("vjson", "g2"):
                 self.assertIsNone(self.left([plane], subject_format))
-            self.assertIsNone(self.left([texts.bezier((1, 1, 1), lambda u, v, w: [u, v, w, u][:dimension] + [1], True)], "mfem"))
+            self.assertIsNone(self.left([texts.bezier((1, 1, 1), lambda u, v, w: [u, v, w][:dimension] + [1], True)], "mfem"))
+
+    def test_attributes(self):
+        """Coordinates from the fourth on change nothing; each of their numbers has at most 8192 bits."""
+        for rational in (False, True):
+            weight = [2] if rational else []
+            plain = texts.bezier((1, 1, 1), lambda u, v, w: [2 * u, 2 * v, 2 * w] + weight, rational)
+            for subject_format in (("vjson", "g2", "mfem") if rational else ("vjson", "g2")):
+                for attributes in ([0], list(range(40)), [Q(-1, 3) if subject_format == "vjson" else Q(-1, 4)]):
+                    with_them = texts.bezier((1, 1, 1), lambda u, v, w: [2 * u, 2 * v, 2 * w] + [u + a for a in attributes] + weight, rational)
+                    self.assertEqual(*[[vars(m) for m in self.left([maps], subject_format)] for maps in (with_them, plain)])
+        for bits, is_read in ((8192, True), (8193, False)):
+            long = texts.bezier((1, 1, 1), lambda u, v, w: [u, v, w, (1 << bits - 1) * u])
+            self.assertEqual(texts.is_read(vc, texts.json_text([long]), "vjson-faces"), is_read)
 
     def test_volumes_in_json(self):
         model = json.loads(texts.json_text([block(degrees=(1, 2, 1), rational=True)]))
@@ -358,7 +371,7 @@ class Formats(FacesTest):
         self.assertTrue(answer())
         for changes in (dict(degrees=[1, 2]), dict(degrees=[1, 2, 2]), dict(degrees=[1, 2, 0]), dict(degrees=[1, 2, 64]), dict(degrees=[1, 2, 1, 1]), dict(periodic=[False, False]),
                         dict(periodic=[False, False, 0]), dict(periodic=[True, False, False]), dict(periodic=[False, True, False]), dict(knots=shape["knots"][:2]),
-                        dict(knots=shape["knots"][:2] + [["0", "0", "1"]]), dict(knots=shape["knots"][:2] + [["0", "1", "0", "1"]]), dict(rational=False), dict(components=3), dict(points=shape["points"][:-1]),
+                        dict(knots=shape["knots"][:2] + [["0", "0", "1"]]), dict(knots=shape["knots"][:2] + [["0", "1", "0", "1"]]), dict(rational=False, components=3), dict(components=3), dict(points=shape["points"][:-1]),
                         dict(points=shape["points"] + shape["points"][:1]), dict(points=[["0", "0", "0", "0"]] * 12), dict(points=[["0", "0", "0", "-1"]] * 12), dict(extra=1)):
             self.assertFalse(answer(**changes), changes)
 
@@ -373,12 +386,14 @@ class Formats(FacesTest):
         self.assertTrue(all(map(texts.same, wanted, volumes.faces([block()]))))
         for text in (cube.replace("TRIVAR BEZIER", "MULTIVAR BEZIER 3"), cube.replace("TRIVAR BEZIER", "TRIVAR BEZIER [rgb 1]"), "[OBJECT A [OBJECT B %s]]" % cube,
                      cube.replace("BEZIER 2 2 2 E3", "BSPLINE 2 2 2 2 2 2 E3 [KV 0 0 1 1][KV 0 0 1 1][KV 0 0 1 1]"),
-                     cube.replace("E3", "P3").replace("[", "[1 ").replace("[1 TRIVAR", "[TRIVAR"),
+                     cube.replace("E3", "P3").replace("[", "[1 ").replace("[1 TRIVAR", "[TRIVAR"), cube.replace("E3", "E5").replace("]", " 8 -9.5]", 8),
+                     cube.replace("E3", "P4").replace("[", "[1 ").replace("[1 TRIVAR", "[TRIVAR").replace("]", " 8]", 8).replace("TRIVAR BEZIER", "MULTIVAR BEZIER 3"),
                      "[TRIVAR POWER 2 2 2 E3 [0 0 0][1 0 0][0 1 0][0 0 0][0 0 1][0 0 0][0 0 0][0 0 0]]"):
             found = [texts.meaning(f) for f in faces_in(text)]
             self.assertTrue(all(f.degrees == w.degrees and f.knots == w.knots and f.all() == w.all() for f, w in zip(found, wanted)), text)
         for text in (cube + "[SURFACE BEZIER 2 2 E3 [0 0 0] [1 0 0] [0 1 0] [1 1 0]]", cube.replace("TRIVAR BEZIER", "MULTIVAR BEZIER 2"), cube.replace("TRIVAR BEZIER", "MULTIVAR BEZIER 4"),
-                     cube.replace("[1 1 1]", ""), cube.replace("[1 1 1]", "[1 1 1][1 1 1]"), cube.replace("2 2 2", "2 2"), cube.replace("2 2 2", "2 2 1"), cube.replace("E3", "E1"),
+                     cube.replace("[1 1 1]", ""), cube.replace("[1 1 1]", "[1 1 1][1 1 1]"), cube.replace("2 2 2", "2 2"), cube.replace("2 2 2", "2 2 1"), cube.replace("E3", "E1"), cube.replace("E3", "E4"),
+                     cube.replace("E3", "E10").replace("]", " 1 2 3 4 5 6 7]", 8), cube.replace("E3", "E2").replace(" 0]", "]").replace(" 1]", "]"),
                      "[OBJECT A]", cube + "[CURVE]", cube + "[POLYGON]"):
             self.assertIsNone(faces_in(text), text)
         self.assertFalse(texts.is_read(vc, cube, "itd"))

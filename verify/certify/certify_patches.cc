@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "io/splines/volumes.h"
 #include "verify/certify/certify_kinds_internal.h"
 #include "verify/certify/collar_certifier.h"
 #include "verify/certify/entity_parts.h"
@@ -353,6 +354,7 @@ Certified with_boundary(VModelAnswer cells, StandIn stand_in, const CertifyOptio
 }  // namespace
 
 Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOptions& options) {
+  if (has_attributes(file.model)) return certify_kind(without_attributes(file), options);
   std::optional<VModelAnswer> cells;
   if (!options.with_collar) cells = certify_vmodel(file, options);
   if (cells && cells->certified.verdict != Verdict::kUndecided) return std::move(cells->certified);

@@ -11,6 +11,7 @@
 #include "io/read_model.h"
 #include "io/splines/patch_model.h"
 #include "io/splines/volume_faces.h"
+#include "io/splines/volumes.h"
 #include "io/splines/write_splines.h"
 #include "robust/base/entity_error.h"
 #include "solids/vmodel/v_faces.h"
@@ -35,7 +36,7 @@ struct Content {
   void add(const ExactCurve&) { ++curves; }
   void add(const ExactSurface& s) { ++(s.dimension() == 3 ? surfaces : plane); }
   void add(const ExactTriangle& t) { ++(t.dimension() == 3 ? triangles : plane); }
-  void add(const ExactVolume& v) { ++(v.dimension() == 3 ? volumes : other); }
+  void add(const ExactVolume& v) { ++(v.dimension() >= 3 ? volumes : other); }
   void add(const TrimmedSurface&) { ++trimmed; }
   void add(const SplineBrep& brep) { trimmed += brep.faces.size(); }
 };
@@ -66,10 +67,28 @@ bool has_left_out_shapes(const SplineFile& file) {
     if (l.is_geometry) return true;
   return false;
 }
+// The first entity that is a volume with fewer than three coordinates; the number of entities if there is none.
+std::size_t first_flat_volume(const SplineModel& model) {
+  const auto at =
+      std::find_if(model.entities.begin(), model.entities.end(), [](const SplineEntity& e) {
+        const auto* const volume = std::get_if<ExactVolume>(&e.shape);
+        return volume != nullptr && volume->dimension() < 3;
+      });
+  return static_cast<std::size_t>(at - model.entities.begin());
+}
+// The first entity that is no volume with at least three coordinates.
+std::size_t first_other(const SplineModel& model) {
+  const auto at =
+      std::find_if(model.entities.begin(), model.entities.end(), [](const SplineEntity& e) {
+        const auto* const volume = std::get_if<ExactVolume>(&e.shape);
+        return volume == nullptr || volume->dimension() < 3;
+      });
+  return static_cast<std::size_t>(at - model.entities.begin());
+}
 std::string faces_text(std::uint64_t faces, std::uint64_t volumes, std::uint64_t flat) {
   std::string out =
       "the " + counted(faces, "boundary face") + " of its " + counted(volumes, "volume");
-  if (flat != 0) out += ", without " + counted(flat, "face") + " that have no area";
+  if (flat != 0) out += ", without " + counted(flat, "face") + (flat == 1 ? " that has" : " that have") + " no area";
   return out;
 }
 
@@ -173,6 +192,15 @@ std::vector<VFaceNumber> whole_faces(const std::vector<VolumeFace>& faces) {
   return out;
 }
 
+SplineFile without_attributes(const SplineFile& file) {
+  SplineFile out = file;
+  out.model = without_attributes(file.model);
+  out.has_converted_shapes =
+      out.has_converted_shapes ||
+      (are_clamped_volumes(out.model) && !are_clamped_volumes(file.model));
+  return out;
+}
+
 bool is_read_by_checkers(const SplineFile& file) {
   return file.format != SplineFormat::kGismo && !file.has_converted_shapes;
 }
@@ -188,9 +216,13 @@ std::optional<std::string> uncovered_shapes(const SplineFile& file) {
   if (c.trimmed != 0)
     return "trimmed surfaces are not decided: the file has " + std::to_string(c.trimmed) +
            " of them" + "; export its faces untrimmed, or as a mesh";
+  if (c.volumes != 0 && c.other != 0)
+    return "entity " + std::to_string(first_other(file.model)) +
+           " is a volume with fewer than three coordinates: cells of a solid need three";
   if (c.volumes != 0 && (c.has_patches() || !c.is_all_in_space()))
-    return "the file has " + counted(c.volumes, "volume") +
-           " and other shapes, and does not say which of them bound the solid: veritope convert "
+    return "the file has " + counted(c.volumes, "volume") + " and other shapes (entity " +
+           std::to_string(first_other(file.model)) +
+           " is the first), and does not say which of them bound the solid: veritope convert "
            "--faces --lossy FILE OUT.vjson writes the boundary faces of the volumes alone";
   if (c.is_all_in_space()) return std::nullopt;
   std::vector<std::string> parts;
@@ -200,13 +232,16 @@ std::optional<std::string> uncovered_shapes(const SplineFile& file) {
                     " of the plane");
   if (c.other != 0)
     parts.push_back(std::to_string(c.other) + (c.other == 1 ? " volume" : " volumes") +
-                    " outside of space");
+                    " with fewer than three coordinates (entity " +
+                    std::to_string(first_flat_volume(file.model)) +
+                    (c.other == 1 ? ")" : " is the first)"));
   if (!c.has_patches()) return "the file has " + joined(parts) + ": such shapes bound no solid";
   return "beside " + patches_text(c) + " the file has " + joined(parts) +
          ": such shapes are no part of a boundary";
 }
 
 Result<std::optional<StandIn>> stand_in_of(const SplineFile& file) {
+  if (has_attributes(file.model)) return stand_in_of(without_attributes(file));
   const Content c(file.model);
   const bool has_volumes = c.volumes != 0;
   if (has_left_out_shapes(file) || uncovered_shapes(file) || file.model.entities.empty())

@@ -46,6 +46,10 @@ std::vector<VFaceNumber> whole_faces(const std::vector<VolumeFace>& faces);
 /// nothing is reversed. @param stand_in  that of the file. @error as file_patches
 Result<FilePatches> patches_of(const SplineFile& file, const std::optional<StandIn>& stand_in);
 
+/// The file with the first three coordinates of its volumes. Checkers, which leave out the others, too, read its own
+/// bytes, unless these others have longer numbers than they may.
+SplineFile without_attributes(const SplineFile& file);
+
 /// Whether the checkers have a reading rule for the file's own bytes: docs/certificates.
 bool is_read_by_checkers(const SplineFile& file);
 

@@ -127,7 +127,8 @@ struct Reader {
     for (uint64_t i = 0; i < number; ++i) {
       expect(take_if('['), "expected a control point");
       for (size_t k = 0; k < components; ++k) flat.push_back(read_decimal(word()));
-      if (is_rational) std::rotate(flat.end() - 4, flat.end() - 3, flat.end());
+      const auto first = flat.end() - int64_t(components);
+      if (is_rational) std::rotate(first, first + 1, flat.end());
       expect(take_if(']'), "more numbers than a point has");
     }
     expect(take_if(']'), "more control points than belong there");
@@ -156,9 +157,11 @@ struct Reader {
       number *= given[a];
     }
     const std::string type = word();
-    expect(type == "E3" || type == "P3", "expected E3 or P3");
-    e.is_rational = type == "P3";
-    e.components = e.is_rational ? 4 : 3;
+    expect(type.size() == 2 && (type[0] == 'E' || type[0] == 'P') &&
+               (has_volumes ? type[1] >= '1' && type[1] <= '9' : type[1] == '3'),
+           has_volumes ? "expected E1 to E9, or P1 to P9" : "expected E3 or P3");
+    e.is_rational = type[0] == 'P';
+    e.components = type[1] - '0' + e.is_rational;
     if (basis == "BSPLINE") knots(given, &stored, &e);
     for (size_t a = 0; a < axes && basis != "BSPLINE"; ++a) {
       std::vector<Ratio> t(2 * order[a]);

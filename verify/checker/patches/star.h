@@ -38,7 +38,8 @@ struct Entity {
   int64_t components = 0;
   std::vector<int64_t> degrees;  // one for a triangle, two for a surface, three for a volume
   std::vector<Numbers> knots;    // an axis each; of a triangle: none
-  Numbers numbers;               // of control points, `components` each
+  uint64_t left_out = 0;         // numbers of each control point after the first three: attributes of volumes
+  Numbers numbers;               // of control points, `components` and `left_out` each
   std::vector<uint64_t> places;  // of the control points in the list of numbers, last axis fastest
 
   bool is_volume() const { return kind == kOther && degrees.size() == 3; }
@@ -46,7 +47,8 @@ struct Entity {
     return knots[axis].size() - uint64_t(degrees[axis]) - 1;
   }
   const Ratio& number(uint64_t point, size_t component) const {
-    return numbers[size_t(places[point] * uint64_t(components)) + component];
+    const uint64_t first = places[point] * (uint64_t(components) + left_out);
+    return numbers[size_t(first + component + (component < 3 ? 0 : left_out))];
   }
 };
 // format: one of those of docs/certificates/star-box.md

@@ -176,12 +176,10 @@ std::vector<Entity> read_spline_model(const std::string& file, const std::string
   const size_t end = std::min(format.find("-faces"), format.size());
   const bool has_volumes = end < format.size();
   std::vector<Entity> entities = read_entities(file, format.substr(0, end), has_volumes);
-  if (has_volumes) return boundary_faces(entities);
+  if (has_volumes) return boundary_faces(std::move(entities));
   return entities;
 }
 
 std::vector<Entity> read_volumes(const std::string& file, const std::string& format) {
-  const std::vector<Entity> volumes = read_entities(file, format, true);
-  check_volumes(volumes);
-  return volumes;
+  return volumes_in_space(read_entities(file, format, true));
 }

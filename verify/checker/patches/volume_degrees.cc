@@ -68,6 +68,7 @@ bool lower(Entity* e, size_t axis) {
   e->degrees[axis] = p - 1;
   e->knots[axis] = std::move(knots);
   e->numbers = std::move(numbers);
+  e->left_out = 0;
   e->places.resize(size[0] * size[1]);
   for (uint64_t i = 0; i < e->places.size(); ++i) e->places[i] = i;
   return true;

@@ -5,7 +5,6 @@
 namespace {
 
 const uint64_t kMostPlaces = 1000;  // of the second list of section 2
-const int kParameters[6][2] = {{2, 1}, {1, 2}, {0, 2}, {2, 0}, {1, 0}, {0, 1}};  // of the faces
 
 void check_axis(const Entity& e, size_t axis) {
   const std::vector<Ratio>& t = e.knots[axis];
@@ -85,31 +84,27 @@ struct Volume {
     }
     return 1;
   }
-  Entity face(int number, int hand) const {
-    const size_t across = size_t(number / 2);
-    const int* const p = kParameters[number];
-    const size_t first = size_t(hand > 0 ? p[0] : p[1]), second = size_t(hand > 0 ? p[1] : p[0]);
-    Entity r;
-    r.kind = Entity::kSurface;
-    r.is_rational = e.is_rational;
-    r.components = e.components;
-    r.degrees = {e.degrees[first], e.degrees[second]};
-    r.knots = {e.knots[first], e.knots[second]};
-    r.numbers = e.numbers;
-    uint64_t i[3];
-    i[across] = number % 2 == 0 ? 0 : n[across] - 1;
-    for (i[first] = 0; i[first] < n[first]; ++i[first])
-      for (i[second] = 0; i[second] < n[second]; ++i[second]) r.places.push_back(e.places[at(i)]);
-    return r;
-  }
 };
 
-// Calls use(entity) for each entity after section 1 was tested for it.
+// Leaves out the coordinates from the fourth on.
+void leave_out_attributes(Entity* e) {
+  const size_t weight = size_t(e->components) - e->is_rational;
+  for (uint64_t i = 0; i < e->places.size(); ++i)
+    for (size_t c = 3; c < weight; ++c)
+      expect(std::max(e->number(i, c).n.bits(), e->number(i, c).d.bits()) <= kMostBits,
+             "an attribute has a number of more than 8192 bits");
+  e->left_out = weight - 3;
+  e->components -= int64_t(e->left_out);
+}
+
+// Calls use(entity) for each entity after section 1 was tested for it, and its attributes were left out.
 template <class Use>
-void each_volume(const std::vector<Entity>& volumes, Use use) {
-  for (size_t v = 0; v < volumes.size(); ++v) try {
-      const Entity& e = volumes[v];
-      expect(e.is_volume() && e.components - e.is_rational == 3, "not a volume in space");
+void each_volume(std::vector<Entity>* volumes, Use use) {
+  for (size_t v = 0; v < volumes->size(); ++v) try {
+      Entity& e = (*volumes)[v];
+      expect(e.is_volume() && e.components - e.is_rational >= 3,
+             "not a volume with at least three coordinates");
+      leave_out_attributes(&e);
       for (size_t a = 0; a < 3; ++a) check_axis(e, a);
       for (uint64_t i = 0; i < e.places.size(); ++i) integers(e, i);
       use(e);
@@ -145,17 +140,40 @@ bool has_area(const Entity& e) {
 
 }  // namespace
 
-void check_volumes(const std::vector<Entity>& volumes) {
-  each_volume(volumes, [](const Entity&) {});
+const size_t kParametersOfFaces[6][2] = {{2, 1}, {1, 2}, {0, 2}, {2, 0}, {1, 0}, {0, 1}};
+
+Entity face_of_volume(const Entity& e, size_t number, bool is_right_handed) {
+  const size_t across = number / 2, *const p = kParametersOfFaces[number];
+  const size_t first = p[!is_right_handed], second = p[is_right_handed];
+  Entity r;
+  r.kind = Entity::kSurface;
+  r.is_rational = e.is_rational;
+  r.components = e.components;
+  r.left_out = e.left_out;
+  r.degrees = {e.degrees[first], e.degrees[second]};
+  r.knots = {e.knots[first], e.knots[second]};
+  r.numbers = e.numbers;
+  uint64_t i[3], n[3];
+  for (size_t a = 0; a < 3; ++a) n[a] = e.points_along(a);
+  i[across] = number % 2 == 0 ? 0 : n[across] - 1;
+  for (i[first] = 0; i[first] < n[first]; ++i[first])
+    for (i[second] = 0; i[second] < n[second]; ++i[second])
+      r.places.push_back(e.places[(i[0] * n[1] + i[1]) * n[2] + i[2]]);
+  return r;
 }
 
-std::vector<Entity> boundary_faces(const std::vector<Entity>& volumes) {
+std::vector<Entity> volumes_in_space(std::vector<Entity> volumes) {
+  each_volume(&volumes, [](const Entity&) {});
+  return volumes;
+}
+
+std::vector<Entity> boundary_faces(std::vector<Entity> volumes) {
   std::vector<Entity> faces, r;
-  each_volume(volumes, [&](const Entity& e) {
+  each_volume(&volumes, [&](const Entity& e) {
     const Volume volume(e);
     const int hand = volume.hand();
-    for (int number = 0; number < 6; ++number) {
-      faces.push_back(volume.face(number, hand));
+    for (size_t number = 0; number < 6; ++number) {
+      faces.push_back(face_of_volume(e, number, hand > 0));
       if (!has_area(faces.back())) faces.pop_back();
     }
   });

@@ -3,6 +3,7 @@
 #include "vmodel.h"
 
 #include "../patches/star_box.h"
+#include "../patches/volume_faces.h"
 #include "vmodel_claim.h"
 
 namespace {
@@ -35,27 +36,11 @@ struct Boundary {  // X
   std::vector<Entity> faces;
   std::vector<std::vector<Ratio>> breaks;  // two for each
 };
-void add_face(const VCell& cell, size_t axis, size_t end, Boundary* to) {
-  static const int kParameters[6][2] = {{2, 1}, {1, 2}, {0, 2}, {2, 0}, {1, 0}, {0, 1}};
-  const int* const p = kParameters[2 * axis + end];
-  const size_t first = size_t(p[cell.is_reversed]), second = size_t(p[!cell.is_reversed]);
-  const Entity& e = *cell.volume;
-  Entity r;
-  r.kind = Entity::kSurface;
-  r.is_rational = e.is_rational;
-  r.components = e.components;
-  r.degrees = {e.degrees[first], e.degrees[second]};
-  r.knots = {e.knots[first], e.knots[second]};
-  r.numbers = e.numbers;
-  uint64_t i[3], n[3];
-  for (size_t a = 0; a < 3; ++a) n[a] = e.points_along(a);
-  i[axis] = end == 0 ? 0 : n[axis] - 1;
-  for (i[first] = 0; i[first] < n[first]; ++i[first])
-    for (i[second] = 0; i[second] < n[second]; ++i[second])
-      r.places.push_back(e.places[(i[0] * n[1] + i[1]) * n[2] + i[2]]);
-  to->faces.push_back(std::move(r));
-  to->breaks.push_back(cell.breaks[first]);
-  to->breaks.push_back(cell.breaks[second]);
+void add_face(const VCell& cell, size_t number, Boundary* to) {
+  const size_t* const p = kParametersOfFaces[number];
+  to->faces.push_back(face_of_volume(*cell.volume, number, !cell.is_reversed));
+  to->breaks.push_back(cell.breaks[p[cell.is_reversed]]);
+  to->breaks.push_back(cell.breaks[p[!cell.is_reversed]]);
 }
 
 std::map<std::string, uint64_t> numbers_of(const VBody& body, const Pairs& pairs) {
@@ -96,7 +81,7 @@ std::string check_vmodel(const Statement& s, std::string model, const Body& byte
 
   Boundary x;
   for (uint64_t f = 0; f < body.faces.size(); ++f)
-    if (body.faces[f].code == 0) add_face(body.cells[f / 6], size_t(f % 6 / 2), size_t(f % 2), &x);
+    if (body.faces[f].code == 0) add_face(body.cells[f / 6], size_t(f % 6), &x);
   StarBody star = read_star_body("VTS2", x.faces, body.rest, [](StarBytes*) {});
   require(star.num_reversed == 0, "V4", "flags of faces:", star.num_reversed);
   require(star.breaks == x.breaks, "V4", "a face has other breaks than its cell");

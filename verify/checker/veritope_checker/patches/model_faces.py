@@ -5,6 +5,7 @@ from itertools import islice, product
 from ..common.errors import Refused
 from .model_powers import scaled
 from .model_walls import left_over
+from .model_maps import Volume
 from .star_box_read import Entity
 
 MAX_BITS, MAX_KNOT_BITS = 8192, 2048    # of the integers of a control point; of the parts of a knot
@@ -26,14 +27,16 @@ def boundary_faces(volumes):
 # ---------------------------------------------------------------- section 1: volumes
 
 def checked(volumes):
-    """Each volume, and its control points, each in integers; refuses what is no volume of section 1."""
+    """Each volume without its attributes, and its control points, each in integers; refuses what is no volume of section
+    1."""
     for n, volume in enumerate(volumes):
         check_volume(n, volume)
+        volume = in_space(n, volume)
         yield volume, [integers(n, point) for point in volume.points]
 
 def check_volume(n, volume):
-    if volume.kind != "volume" or volume.dimension != 3:
-        raise Refused("entity %d is no volume in space" % n)
+    if volume.kind != "volume" or volume.dimension < 3:
+        raise Refused("entity %d is no volume with at least three coordinates" % n)
     for axis, (p, knots) in enumerate(zip(volume.degrees, volume.knots)):
         if max(max(abs(t.numerator), t.denominator) for t in knots).bit_length() > MAX_KNOT_BITS:
             raise Refused("a knot of volume %d has a part of more than %d bits" % (n, MAX_KNOT_BITS))
@@ -41,6 +44,15 @@ def check_volume(n, volume):
         if knots[0] != knots[p] or knots[-1] != knots[-p - 1] or any(a == b for a, b in zip(inner, inner[p:])):
             raise Refused("axis %d of volume %d does not begin and end with %d equal knots, or has more than %d equal"
                           " ones between" % (axis, n, p + 1, p))
+
+def in_space(n, volume):
+    """The volume without its attributes."""
+    if volume.dimension == 3:
+        return volume
+    attributes = [a for point in volume.points for a in point[3:-1]]
+    if max(max(abs(a.numerator), a.denominator) for a in attributes).bit_length() > MAX_BITS:
+        raise Refused("an attribute of volume %d has a part of more than %d bits" % (n, MAX_BITS))
+    return Volume(volume.degrees, volume.knots, volume.rational, 3, [[*p[:3], p[-1]] for p in volume.points])
 
 def integers(n, point):
     """The homogeneous point, times the least common denominator of its numbers."""

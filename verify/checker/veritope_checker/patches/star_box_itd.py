@@ -22,6 +22,7 @@ WORD = re.compile(rb'[^ \t\v\f\n\r\[\]"]*')
 STRING = re.compile(rb'"[^"\\]*(?:\\.[^"\\]*)*"', re.DOTALL)
 MARK = re.compile(rb'[\[\]"]')
 COUNT = re.compile(rb"[-+]?[0-9]+")
+SURFACE_TYPE, VOLUME_TYPE = re.compile(rb"[EP]3"), re.compile(rb"[EP][1-9]")
 
 class Reader:
     """num_axes: 2 for a model of surfaces, 3 for one of volumes (section 4)."""
@@ -135,8 +136,8 @@ class Reader:
         given = [self.count() for _ in range(self.num_axes)]
         orders = [self.count() for _ in given] if basis == b"BSPLINE" else given
         kind = self.word()
-        if kind not in (b"E3", b"P3"):
-            raise Refused("byte %d: %r where E3 or P3 belongs" % (self.pos, kind[:40].decode("latin-1")))
+        if not {2: SURFACE_TYPE, 3: VOLUME_TYPE}[self.num_axes].fullmatch(kind):
+            raise Refused("byte %d: %r is no type of a point" % (self.pos, kind[:40].decode("latin-1")))
         for k, n in zip(orders, given):
             if not 2 <= k <= min(n, MAX_ORDER):
                 raise Refused("byte %d: an order of %d with %d control points" % (self.pos, k, n))
@@ -144,21 +145,21 @@ class Reader:
             knots = [self.knots(n, k) for n, k in zip(given, orders)]
         else:
             knots = [[Fraction(0)] * k + [Fraction(1)] * k for k in orders]
-        degrees, rational = [k - 1 for k in orders], kind == b"P3"
+        degrees, rational, dimension = [k - 1 for k in orders], kind[:1] == b"P", int(kind[1:])
         for p, t in zip(degrees, knots):
             axis_size(p, t)
         if prod(given) > len(self.data):
             raise Refused("more control points than the file can hold")
-        points = [self.point(rational) for _ in range(prod(given))]
+        points = [self.point(rational, dimension) for _ in range(prod(given))]
         self.take(b"]")
         if basis == b"POWER":
             points = bernstein_net(points, given)
         points = repeated(points, given, sizes_of(degrees, knots))
         if not rational:
             points = [point + [Fraction(1)] for point in points]
-        if any(point[3] <= 0 for point in points):
+        if any(point[-1] <= 0 for point in points):
             raise Refused("a weight is not positive")
-        return map_of(degrees, knots, rational, 3, points)
+        return map_of(degrees, knots, rational, dimension, points)
 
     def knots(self, num_points, order):
         self.take(b"[")
@@ -169,9 +170,9 @@ class Reader:
         self.take(b"]")
         return knots
 
-    def point(self, rational):
+    def point(self, rational, dimension):
         self.take(b"[")
-        numbers = [self.decimal() for _ in range(4 if rational else 3)]
+        numbers = [self.decimal() for _ in range(dimension + rational)]
         self.take(b"]")
         return numbers[1:] + numbers[:1] if rational else numbers
 

@@ -93,6 +93,16 @@ def partly_collapsed():
     return [whole[0], whole[2], whole[3], split[1], split[5]]
 
 
+def small_and_partly_collapsed(place):
+    """A cell of the size 1/8 that begins at this point; one of its faces collapses on one of two spans."""
+    return valid.mapped(valid.half_collapsed()[0], lambda p: tuple(a + c / 16 for a, c in zip(place, (p[0], p[1], p[2] + 1))))
+
+
+def there_and_back():
+    """A cell on whose edge u = v = 1 z runs from 0 to 1/2 and back."""
+    return bezier((1, 1, 2), lambda u, v, w: (u, v, w if (u, v) != (1, 1) else 4 * w * (1 - w)))
+
+
 def flat_span():
     return valid.spline((1, 1, 1), [[0, 0, 1, 1], [0, 0, 1, 1], [0, 0, 1, 2, 3, 3]], lambda i, j, k: (Q(i), Q(j), Q((0, 1, 1, 2)[k])))
 
@@ -166,6 +176,11 @@ def honest_findings():
         "a face that is a part of another": Invalid([cube(), valid.box((1, 0, 0), (2, HALF, 1))], "curve-nonmanifold", arc(0, 1, 2),
                                                     arc(0, 2, 3), arc(1, 0, 2)),
         "three cubes": Invalid([cube(), unit_box(1, 1, 0), unit_box(2, 0, 0)], "curve-nonmanifold", arc(1, 1, 2), arc(1, 2, 3), arc(2, 0, 3)),
+        "an edge that runs there and back": Invalid([there_and_back()], "curve-nonmanifold", arc(0, 1, 3, (0, 1, 0, 1)), arc(0, 1, 3, half),
+                                                    arc(0, 3, 3, half)),
+        "two cubes at an edge, another cell at its begin": Invalid([a, b, small_and_partly_collapsed((1, 1, 0))], "curve-nonmanifold",
+                                                                   arc(0, 1, 3), arc(0, 3, 3), arc(1, 0, 2)),
+        "two cubes at a corner, another cell far away": Invalid(shared + [small_and_partly_collapsed((5, 1, 1))], "point-nonmanifold", 0, 7),
         "two cubes at a corner": Invalid(shared, "point-nonmanifold", 0, 7),
         "two cubes at a corner, the other's": Invalid(shared, "point-nonmanifold", 1, 0),
         "two cubes at a corner, rational": Invalid([made_rational(cube()), valid.weighted(unit_box(1, 1, 1), Q(1, 4))], "point-nonmanifold", 0, 7),
@@ -218,6 +233,8 @@ def valid_models():
     found["half of a fan"] = valid.fan()[:2]
     found["three quarters of a fan"] = valid.fan()[:3]
     found["two fans, one on the other"] = valid.fan() + [valid.mapped(m, lambda p: (p[0], p[1], p[2] + 1)) for m in valid.fan()]
+    for name, last in (("a wedge", 1), ("half a fan", 2), ("three quarters of a fan", 3)):
+        found[name + " on another"] = [valid.mapped(m, lambda p, z=z: (p[0], p[1], p[2] + z)) for m in valid.fan()[:last] for z in (0, 1)]
     found["half of six pyramids"] = [m for m in valid.pyramids_of_a_cube()[::2]]
     found["five of six pyramids"] = valid.pyramids_of_a_cube()[:5]
     found["a ring of cells"] = ring_of_cells()

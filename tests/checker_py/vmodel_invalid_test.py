@@ -105,6 +105,14 @@ class ValidModels(InvalidTest):
         self.says("ACCEPT", Invalid(models.valid_models()["a fan"], "singular", at(3, 0, HALF, HALF)))
 
 
+class LiesThatTwoConditionsReject(InvalidTest):
+    def test_a_point_on_a_face_of_its_box(self):
+        for axis, part in itertools.product(range(3), ((0, 1, 0, 1), (0, 1, 1, 2))):
+            parts = [WHOLE] * 3
+            parts[axis] = part
+            self.says("O2", Invalid([cube()], "overlap", at(0, HALF, HALF, HALF), (0, tuple(parts)), IDENTITY))
+
+
 class Links(InvalidTest):
     """Cells around a point or a line, of which some are there. The point is claimed truly if the border of the cells, cut by a small sphere,
     is more than one cycle."""
@@ -221,6 +229,19 @@ class EqualFaces(InvalidTest):
         self.assertEqual(self.symmetries(cube(), shifted), [])
         bulge = bezier((1, 2, 2), lambda u, v, w: (1 + u + (1 if (v, w) == (HALF, HALF) else 0), v, w))
         self.assertEqual(self.symmetries(cube(), bulge), [])
+
+    def test_a_bump_between_knots(self):
+        """One of two faces has a bump at the knot 1/5, which ends at the knots 1/10 and 3/10; the other has no knots."""
+        knots = [[0, 0, 1, 1], [0, 0, Q(1, 10), Q(2, 10), Q(3, 10), 1, 1], [0, 0, 1, 1]]
+        for bump in (0, 1):
+            ours = valid.spline((1, 1, 1), knots, lambda i, j, k, b=bump: (Q(i) + (Q(b, 8) if (i, j) == (1, 2) else 0), knots[1][1 + j], Q(k)))
+            for axes in itertools.permutations(range(3)):
+                for reverse in itertools.product((0, 1), repeat=3):
+                    theirs = valid.permuted(models.unit_box(1, 0, 0), axes, reverse)
+                    self.assertEqual(len(self.symmetries(ours, theirs)), 1 - bump)
+                    ours_last = valid.permuted(ours, axes, reverse)
+                    faces = vmodel_equal.AllFaces([checkers(models.unit_box(1, 0, 0)), checkers(ours_last)], lambda units: None)
+                    self.assertEqual(len(list(vmodel_equal.Candidates(faces, range(12)).equal_to(0))), 1 - bump)
 
     def test_faces_with_a_symmetry_of_their_own(self):
         """All corners of the face are two points: four symmetries take corners to corners, one makes the maps equal."""
@@ -353,6 +374,9 @@ class Units(InvalidTest):
         three = [cube(), models.unit_box(1, 0, 0), models.unit_box(1, 1, 1)]
         same = 4 * interval + 2 * product
         self.takes(3 * cell + 9 * 8 + 2 * same + 3 + 18, Invalid(three, "point-nonmanifold", 0, 7))
+        for reverse in itertools.product((0, 1), repeat=3):
+            turned = three[0], valid.permuted(three[1], (1, 2, 0), reverse), three[2]
+            self.takes(3 * cell + 9 * 8 + 2 * same + 3 + 18, Invalid(list(turned), "point-nonmanifold", 0, 7))
         three[1] = models.with_knot(three[1], 1, HALF)    # four intervals of one axis, two of the other; two products of each face
         self.takes(3 * cell + interval + piece + 9 * 8 + 2 * (6 * interval + 4 * product) + 3 + 18,
                    Invalid(three, "point-nonmanifold", 0, 7))

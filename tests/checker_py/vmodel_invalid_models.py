@@ -278,3 +278,48 @@ def place_on(line, m, axis, span, t):
     k = max(i for i, x in enumerate(knots) if x == sorted(set(knots))[span])
     q = vmodel_forge.blossom(line, knots, p, k, [t] * p)
     return tuple(c / q[3] for c in q[:3])
+
+
+# ---------------------------------------------------------------- the truth about cells around a point
+
+# The octants around each half-axis, in order; bit a of an octant says on which side of the origin it lies along axis a.
+OCTANT_RINGS = [[end << axis | i << b | j << c for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                for axis, (b, c) in enumerate(vmodel_forge.OTHERS) for end in (0, 1)]
+
+
+def border_cycles(there, rings):
+    """rings: the cells around each line through the point, in order. Cells that follow one another join the two sides at which they end."""
+    joined = collections.defaultdict(list)
+    for ring in rings:
+        for first, cell in enumerate(ring):
+            if cell in there and ring[first - 1] not in there:
+                last = first
+                while ring[(last + 1) % len(ring)] in there:
+                    last += 1
+                ends = [(cell, frozenset((cell, ring[first - 1]))), (ring[last % len(ring)], frozenset((ring[last % len(ring)], ring[(last + 1) % len(ring)])))]
+                for one, other in (ends, ends[::-1]):
+                    joined[one].append(other)
+    seen, cycles = set(), 0
+    for start in joined:
+        cycles += start not in seen
+        reached = [start]
+        while reached:
+            side = reached.pop()
+            if side not in seen:
+                seen.add(side)
+                reached += joined[side]
+    return cycles
+
+
+def voxel_cycles(voxels, place):
+    """(the cycles of the border around a point of the lattice, of the unit cubes that begin at these points; whether two cubes meet in an
+    edge there of which nothing else is in a cube)"""
+    octants = [o for o in range(8) if tuple(x - 1 + (o >> a & 1) for a, x in enumerate(place)) in voxels]
+    touches = any([o in octants for o in ring] in ([True, False] * 2, [False, True] * 2) for ring in OCTANT_RINGS)
+    return border_cycles(octants, OCTANT_RINGS), touches
+
+
+def bent_voxels(voxels, rng):
+    """The cubes, after each point of the lattice has moved a little."""
+    moved = collections.defaultdict(lambda: [Q(rng.randint(-4, 4), 32) for _ in range(3)])
+    return [cube(lambda p, at=at: tuple(a + c + d for a, c, d in zip(at, p, moved[tuple(int(a + c) for a, c in zip(at, p))]))) for at in voxels]

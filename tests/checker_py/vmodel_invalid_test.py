@@ -16,7 +16,7 @@ import vmodel_invalid_models as models
 import vmodel_models as valid
 from vmodel_invalid_forge import WHOLE, Invalid
 from vmodel_invalid_lies import bent_bytes, lies, negated
-from vmodel_invalid_models import HALF, IDENTITY, arc, at, sides_by_curve
+from vmodel_invalid_models import HALF, IDENTITY, OCTANT_RINGS, arc, at, border_cycles, sides_by_curve
 from volume_folded_forge import bezier, cube
 
 from veritope_checker import program as vc                # star_box_forge says where it is
@@ -118,14 +118,11 @@ class Links(InvalidTest):
     is more than one cycle."""
 
     def test_all_sets_of_octants(self):
-        counts, rings = collections.Counter(), []
-        for axis, end in itertools.product(range(3), (0, 1)):
-            b, c = [a for a in range(3) if a != axis]
-            rings.append([end << axis | i << b | j << c for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))])
+        counts = collections.Counter()
         for chosen in range(1, 256):
             octants = [o for o in range(8) if chosen >> o & 1]
             cells = [models.unit_box(*[(o >> a & 1) - 1 for a in range(3)]) for o in octants]
-            cycles = border_cycles(octants, rings)
+            cycles = border_cycles(octants, OCTANT_RINGS)
             self.says("ACCEPT" if cycles > 1 else "P2", Invalid(cells, "point-nonmanifold", 0, 7 - octants[0]))
             counts[cycles] += 1
         self.assertEqual(counts, {0: 1, 1: 162, 2: 82, 3: 8, 4: 2})
@@ -166,30 +163,6 @@ class Links(InvalidTest):
                 arcs = [arc(n, 2 * axis + 1 - (q >> axis & 1), 2 + 1 - (q >> 1 - axis & 1)) for n, q, axis in three]
                 borders = all(q ^ 1 << axis not in quadrants for _, q, axis in three)
                 self.says("ACCEPT" if borders else "C3", Invalid(cells, "curve-nonmanifold", *arcs))
-
-
-def border_cycles(there, rings):
-    """rings: the cells around each line through the point, in order. Cells that follow one another join the two sides at which they end."""
-    joined = collections.defaultdict(list)
-    for ring in rings:
-        for first, cell in enumerate(ring):
-            if cell in there and ring[first - 1] not in there:
-                last = first
-                while ring[(last + 1) % len(ring)] in there:
-                    last += 1
-                ends = [(cell, frozenset((cell, ring[first - 1]))), (ring[last % len(ring)], frozenset((ring[last % len(ring)], ring[(last + 1) % len(ring)])))]
-                for one, other in (ends, ends[::-1]):
-                    joined[one].append(other)
-    seen, cycles = set(), 0
-    for start in joined:
-        cycles += start not in seen
-        reached = [start]
-        while reached:
-            side = reached.pop()
-            if side not in seen:
-                seen.add(side)
-                reached += joined[side]
-    return cycles
 
 
 class EqualFaces(InvalidTest):

@@ -9,6 +9,7 @@ import vmodel_invalid_test as python_tests
 judges.judge(python_tests.vc)
 Honest, Lies, Links, ValidModels = python_tests.Honest, python_tests.Lies, python_tests.Links, python_tests.ValidModels
 Bodies, Limits, Hostile = python_tests.Bodies, python_tests.Limits, python_tests.Hostile
+LiesThatTwoConditionsReject = python_tests.LiesThatTwoConditionsReject
 
 if __name__ == "__main__":
     unittest.main()

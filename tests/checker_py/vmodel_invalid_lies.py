@@ -81,7 +81,8 @@ def lies():
         yield "the point is on a face of the box", "O4", box.changed(parts=(box.parts[0], (1, tuple(parts)), IDENTITY))
     for arcs in ((a, b, b), (a, a, c), (c, b, c)):
         yield "an arc twice", "C1", edge.changed(parts=arcs)
-    yield "overlapping arcs", "C1", there_and_back()
+    yield "overlapping arcs", "C1", Invalid([models.there_and_back()], "curve-nonmanifold", arc(0, 1, 3, (0, 2, 0, 3)),
+                                            arc(0, 1, 3, (0, 2, 1, 4)), arc(0, 3, 3, (0, 2, 0, 3)))
     yield "another arc", "C2", edge.changed(parts=(a, b, arc(1, 0, 3)))
     for part in (FIRST_HALF, LAST_HALF):
         yield "a part of the arc", "C2", edge.changed(parts=(a, b, arc(1, 0, 2, part)))
@@ -101,12 +102,6 @@ def lies():
         yield "three copies", "P1", Invalid([cube()] * 3 + [models.unit_box(1, 1, 1), beside], "point-nonmanifold", cell, corner)
     for name, maps in models.valid_models().items():
         yield "a corner of %s" % name, "P2", Invalid(maps, "point-nonmanifold", 0, 0)
-
-
-def there_and_back():
-    """An arc that runs up and down an edge on which z = 2 w (1 - w): its first and its last three quarters are opposite."""
-    cell = bezier((1, 1, 2), lambda u, v, w: (u, v, w if (u, v) != (1, 1) else 2 * w * (1 - w) * 2))
-    return Invalid([cell], "curve-nonmanifold", arc(0, 1, 3, (0, 2, 0, 3)), arc(0, 1, 3, (0, 2, 1, 4)), arc(0, 3, 3, (0, 2, 0, 3)))
 
 
 def bent_bytes(rng, body):

@@ -93,6 +93,16 @@ def partly_collapsed():
     return [whole[0], whole[2], whole[3], split[1], split[5]]
 
 
+def small_and_partly_collapsed(place):
+    """A cell of the size 1/8 that begins at this point; one of its faces collapses on one of two spans."""
+    return valid.mapped(valid.half_collapsed()[0], lambda p: tuple(a + c / 16 for a, c in zip(place, (p[0], p[1], p[2] + 1))))
+
+
+def there_and_back():
+    """A cell on whose edge u = v = 1 z runs from 0 to 1/2 and back."""
+    return bezier((1, 1, 2), lambda u, v, w: (u, v, w if (u, v) != (1, 1) else 4 * w * (1 - w)))
+
+
 def flat_span():
     return valid.spline((1, 1, 1), [[0, 0, 1, 1], [0, 0, 1, 1], [0, 0, 1, 2, 3, 3]], lambda i, j, k: (Q(i), Q(j), Q((0, 1, 1, 2)[k])))
 
@@ -166,6 +176,11 @@ def honest_findings():
         "a face that is a part of another": Invalid([cube(), valid.box((1, 0, 0), (2, HALF, 1))], "curve-nonmanifold", arc(0, 1, 2),
                                                     arc(0, 2, 3), arc(1, 0, 2)),
         "three cubes": Invalid([cube(), unit_box(1, 1, 0), unit_box(2, 0, 0)], "curve-nonmanifold", arc(1, 1, 2), arc(1, 2, 3), arc(2, 0, 3)),
+        "an edge that runs there and back": Invalid([there_and_back()], "curve-nonmanifold", arc(0, 1, 3, (0, 1, 0, 1)), arc(0, 1, 3, half),
+                                                    arc(0, 3, 3, half)),
+        "two cubes at an edge, another cell at its begin": Invalid([a, b, small_and_partly_collapsed((1, 1, 0))], "curve-nonmanifold",
+                                                                   arc(0, 1, 3), arc(0, 3, 3), arc(1, 0, 2)),
+        "two cubes at a corner, another cell far away": Invalid(shared + [small_and_partly_collapsed((5, 1, 1))], "point-nonmanifold", 0, 7),
         "two cubes at a corner": Invalid(shared, "point-nonmanifold", 0, 7),
         "two cubes at a corner, the other's": Invalid(shared, "point-nonmanifold", 1, 0),
         "two cubes at a corner, rational": Invalid([made_rational(cube()), valid.weighted(unit_box(1, 1, 1), Q(1, 4))], "point-nonmanifold", 0, 7),
@@ -218,6 +233,8 @@ def valid_models():
     found["half of a fan"] = valid.fan()[:2]
     found["three quarters of a fan"] = valid.fan()[:3]
     found["two fans, one on the other"] = valid.fan() + [valid.mapped(m, lambda p: (p[0], p[1], p[2] + 1)) for m in valid.fan()]
+    for name, last in (("a wedge", 1), ("half a fan", 2), ("three quarters of a fan", 3)):
+        found[name + " on another"] = [valid.mapped(m, lambda p, z=z: (p[0], p[1], p[2] + z)) for m in valid.fan()[:last] for z in (0, 1)]
     found["half of six pyramids"] = [m for m in valid.pyramids_of_a_cube()[::2]]
     found["five of six pyramids"] = valid.pyramids_of_a_cube()[:5]
     found["a ring of cells"] = ring_of_cells()
@@ -261,3 +278,48 @@ def place_on(line, m, axis, span, t):
     k = max(i for i, x in enumerate(knots) if x == sorted(set(knots))[span])
     q = vmodel_forge.blossom(line, knots, p, k, [t] * p)
     return tuple(c / q[3] for c in q[:3])
+
+
+# ---------------------------------------------------------------- the truth about cells around a point
+
+# The octants around each half-axis, in order; bit a of an octant says on which side of the origin it lies along axis a.
+OCTANT_RINGS = [[end << axis | i << b | j << c for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                for axis, (b, c) in enumerate(vmodel_forge.OTHERS) for end in (0, 1)]
+
+
+def border_cycles(there, rings):
+    """rings: the cells around each line through the point, in order. Cells that follow one another join the two sides at which they end."""
+    joined = collections.defaultdict(list)
+    for ring in rings:
+        for first, cell in enumerate(ring):
+            if cell in there and ring[first - 1] not in there:
+                last = first
+                while ring[(last + 1) % len(ring)] in there:
+                    last += 1
+                ends = [(cell, frozenset((cell, ring[first - 1]))), (ring[last % len(ring)], frozenset((ring[last % len(ring)], ring[(last + 1) % len(ring)])))]
+                for one, other in (ends, ends[::-1]):
+                    joined[one].append(other)
+    seen, cycles = set(), 0
+    for start in joined:
+        cycles += start not in seen
+        reached = [start]
+        while reached:
+            side = reached.pop()
+            if side not in seen:
+                seen.add(side)
+                reached += joined[side]
+    return cycles
+
+
+def voxel_cycles(voxels, place):
+    """(the cycles of the border around a point of the lattice, of the unit cubes that begin at these points; whether two cubes meet in an
+    edge there of which nothing else is in a cube)"""
+    octants = [o for o in range(8) if tuple(x - 1 + (o >> a & 1) for a, x in enumerate(place)) in voxels]
+    touches = any([o in octants for o in ring] in ([True, False] * 2, [False, True] * 2) for ring in OCTANT_RINGS)
+    return border_cycles(octants, OCTANT_RINGS), touches
+
+
+def bent_voxels(voxels, rng):
+    """The cubes, after each point of the lattice has moved a little."""
+    moved = collections.defaultdict(lambda: [Q(rng.randint(-4, 4), 32) for _ in range(3)])
+    return [cube(lambda p, at=at: tuple(a + c + d for a, c, d in zip(at, p, moved[tuple(int(a + c) for a, c in zip(at, p))]))) for at in voxels]

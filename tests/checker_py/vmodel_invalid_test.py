@@ -16,7 +16,7 @@ import vmodel_invalid_models as models
 import vmodel_models as valid
 from vmodel_invalid_forge import WHOLE, Invalid
 from vmodel_invalid_lies import bent_bytes, lies, negated
-from vmodel_invalid_models import HALF, IDENTITY, arc, at, sides_by_curve
+from vmodel_invalid_models import HALF, IDENTITY, OCTANT_RINGS, arc, at, border_cycles, sides_by_curve
 from volume_folded_forge import bezier, cube
 
 from veritope_checker import program as vc                # star_box_forge says where it is
@@ -105,19 +105,24 @@ class ValidModels(InvalidTest):
         self.says("ACCEPT", Invalid(models.valid_models()["a fan"], "singular", at(3, 0, HALF, HALF)))
 
 
+class LiesThatTwoConditionsReject(InvalidTest):
+    def test_a_point_on_a_face_of_its_box(self):
+        for axis, part in itertools.product(range(3), ((0, 1, 0, 1), (0, 1, 1, 2))):
+            parts = [WHOLE] * 3
+            parts[axis] = part
+            self.says("O2", Invalid([cube()], "overlap", at(0, HALF, HALF, HALF), (0, tuple(parts)), IDENTITY))
+
+
 class Links(InvalidTest):
     """Cells around a point or a line, of which some are there. The point is claimed truly if the border of the cells, cut by a small sphere,
     is more than one cycle."""
 
     def test_all_sets_of_octants(self):
-        counts, rings = collections.Counter(), []
-        for axis, end in itertools.product(range(3), (0, 1)):
-            b, c = [a for a in range(3) if a != axis]
-            rings.append([end << axis | i << b | j << c for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))])
+        counts = collections.Counter()
         for chosen in range(1, 256):
             octants = [o for o in range(8) if chosen >> o & 1]
             cells = [models.unit_box(*[(o >> a & 1) - 1 for a in range(3)]) for o in octants]
-            cycles = border_cycles(octants, rings)
+            cycles = border_cycles(octants, OCTANT_RINGS)
             self.says("ACCEPT" if cycles > 1 else "P2", Invalid(cells, "point-nonmanifold", 0, 7 - octants[0]))
             counts[cycles] += 1
         self.assertEqual(counts, {0: 1, 1: 162, 2: 82, 3: 8, 4: 2})
@@ -160,30 +165,6 @@ class Links(InvalidTest):
                 self.says("ACCEPT" if borders else "C3", Invalid(cells, "curve-nonmanifold", *arcs))
 
 
-def border_cycles(there, rings):
-    """rings: the cells around each line through the point, in order. Cells that follow one another join the two sides at which they end."""
-    joined = collections.defaultdict(list)
-    for ring in rings:
-        for first, cell in enumerate(ring):
-            if cell in there and ring[first - 1] not in there:
-                last = first
-                while ring[(last + 1) % len(ring)] in there:
-                    last += 1
-                ends = [(cell, frozenset((cell, ring[first - 1]))), (ring[last % len(ring)], frozenset((ring[last % len(ring)], ring[(last + 1) % len(ring)])))]
-                for one, other in (ends, ends[::-1]):
-                    joined[one].append(other)
-    seen, cycles = set(), 0
-    for start in joined:
-        cycles += start not in seen
-        reached = [start]
-        while reached:
-            side = reached.pop()
-            if side not in seen:
-                seen.add(side)
-                reached += joined[side]
-    return cycles
-
-
 class EqualFaces(InvalidTest):
     def symmetries(self, first, second):
         """(face, symmetry) for the faces of the second cell that face 1 of the first equals."""
@@ -221,6 +202,19 @@ class EqualFaces(InvalidTest):
         self.assertEqual(self.symmetries(cube(), shifted), [])
         bulge = bezier((1, 2, 2), lambda u, v, w: (1 + u + (1 if (v, w) == (HALF, HALF) else 0), v, w))
         self.assertEqual(self.symmetries(cube(), bulge), [])
+
+    def test_a_bump_between_knots(self):
+        """One of two faces has a bump at the knot 1/5, which ends at the knots 1/10 and 3/10; the other has no knots."""
+        knots = [[0, 0, 1, 1], [0, 0, Q(1, 10), Q(2, 10), Q(3, 10), 1, 1], [0, 0, 1, 1]]
+        for bump in (0, 1):
+            ours = valid.spline((1, 1, 1), knots, lambda i, j, k, b=bump: (Q(i) + (Q(b, 8) if (i, j) == (1, 2) else 0), knots[1][1 + j], Q(k)))
+            for axes in itertools.permutations(range(3)):
+                for reverse in itertools.product((0, 1), repeat=3):
+                    theirs = valid.permuted(models.unit_box(1, 0, 0), axes, reverse)
+                    self.assertEqual(len(self.symmetries(ours, theirs)), 1 - bump)
+                    ours_last = valid.permuted(ours, axes, reverse)
+                    faces = vmodel_equal.AllFaces([checkers(models.unit_box(1, 0, 0)), checkers(ours_last)], lambda units: None)
+                    self.assertEqual(len(list(vmodel_equal.Candidates(faces, range(12)).equal_to(0))), 1 - bump)
 
     def test_faces_with_a_symmetry_of_their_own(self):
         """All corners of the face are two points: four symmetries take corners to corners, one makes the maps equal."""
@@ -353,6 +347,9 @@ class Units(InvalidTest):
         three = [cube(), models.unit_box(1, 0, 0), models.unit_box(1, 1, 1)]
         same = 4 * interval + 2 * product
         self.takes(3 * cell + 9 * 8 + 2 * same + 3 + 18, Invalid(three, "point-nonmanifold", 0, 7))
+        for reverse in itertools.product((0, 1), repeat=3):
+            turned = three[0], valid.permuted(three[1], (1, 2, 0), reverse), three[2]
+            self.takes(3 * cell + 9 * 8 + 2 * same + 3 + 18, Invalid(list(turned), "point-nonmanifold", 0, 7))
         three[1] = models.with_knot(three[1], 1, HALF)    # four intervals of one axis, two of the other; two products of each face
         self.takes(3 * cell + interval + piece + 9 * 8 + 2 * (6 * interval + 4 * product) + 3 + 18,
                    Invalid(three, "point-nonmanifold", 0, 7))

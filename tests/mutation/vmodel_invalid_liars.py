@@ -6,6 +6,7 @@ about invalid ones that are wrong in one thing by construction. As attacks.py, w
     python3 tests/mutation/vmodel_invalid_liars.py --count 20000 --seed 1 --checker PATH_TO_veritope-check
 """
 import functools
+import itertools
 import math
 import sys
 import time
@@ -75,19 +76,28 @@ def varied(maps, rng):
     return maps
 
 
-def polycube(rng):
-    """Two to five boxes in a row, each with a face of the one before."""
-    at, cells = [0, 0, 0], []
-    for _ in range(rng.randint(2, 5)):
-        cells.append(models.unit_box(*at))
-        at[rng.randrange(3)] += 1
-    return cells
+def random_voxels(rng):
+    """(unit cubes by their least corners, whether their border is a surface, the points of the lattice at which it is more than one cycle)"""
+    size = rng.choice(((3, 1, 1), (2, 2, 1), (2, 2, 2), (3, 2, 1), (3, 2, 2)))
+    all_of_them = list(itertools.product(*map(range, size)))
+    voxels = rng.sample(all_of_them, rng.randint(2, min(7, len(all_of_them))))
+    found = {place: models.voxel_cycles(voxels, place) for place in itertools.product(*[range(n + 1) for n in size])}
+    wrong = [place for place, (cycles, _) in found.items() if cycles > 1]
+    return voxels, not wrong and not any(touches for _, touches in found.values()), wrong
+
+
+def manifold_voxels(rng):
+    """Cells whose border is a surface."""
+    while True:
+        voxels, is_surface, _ = random_voxels(rng)
+        if is_surface:
+            return models.bent_voxels(voxels, rng)
 
 
 def some_valid(rng):
     """(name, cells)"""
-    if rng.random() < .25:
-        return "polycube", varied(polycube(rng), rng)
+    if rng.random() < .3:
+        return "voxels", varied(manifold_voxels(rng), rng)
     name = rng.choice(valid_names())
     maps = cells_named(name)
     return name.replace(" ", "_").replace(",", ""), varied(maps, rng) if rng.random() < .7 else maps
@@ -328,9 +338,21 @@ def octants(rng):
     return Invalid(cells, "point-nonmanifold", *models.corner_at(cells, (0, 0, 0)))
 
 
+def voxels_at_a_point(rng):
+    while True:
+        voxels, _, wrong = random_voxels(rng)
+        if wrong:
+            at, place = rng.choice([(n, p) for n, v in enumerate(voxels) for p in wrong if all(0 <= b - a <= 1 for a, b in zip(v, p))])
+            cells = models.bent_voxels(voxels, rng)
+            place = cells[at].at(*[b - a for a, b in zip(voxels[at], place)])
+            cells = varied(cells, rng)
+            return Invalid(cells, "point-nonmanifold", *models.corner_at(cells, place[:3]))
+
+
 def honest(rng):
     """(name, model, certificate)"""
-    finding = placed(octants(rng) if rng.random() < .4 else rng.choice(list(models.made().values())), rng)
+    r = rng.random()
+    finding = placed(octants(rng) if r < .2 else voxels_at_a_point(rng) if r < .5 else rng.choice(list(models.made().values())), rng)
     yield finding.kind, finding.model(), finding.certificate()
 
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_v_models.cc: --models N --non-manifold M --seed S [--family NAME] [--changes K] [--python PATH]
-// [--python-every K] [--dump FOLDER]. Random V-models of known truth (tests/support/random_v_models.h), N of each family
-// (M that are no manifold), judged by certify, whose certificates the C++ checker checks in this process and the Python
-// one (its path) every so often; then K other descriptions of each model, of five kinds in turn: the same verdict,
-// genus, counts and volume. One JSON line a row: wrong answers. Each wrong model is written to FOLDER (default: that for
-// temporary files), and named on standard error with its seed.
+// bench/soak_v_models.cc: --models N --non-manifold M --seed S [--family NAME] [--changes K]
+// [--python PATH] [--python-every K] [--dump FOLDER]. Random V-models of known truth
+// (tests/support/random_v_models.h), N of each family (M that are no manifold), judged by certify.
+// The C++ checker checks every certificate in this process, the Python one (its path) some. Then K
+// other descriptions of each model, of five kinds in turn: the same verdict, genus, counts and
+// volume. One JSON line a row: wrong answers. Each wrong or undecided model is written to FOLDER
+// (default: that for temporary files), and named on standard error with its seed.
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -98,7 +101,7 @@ class Run {
     if (is_told_undecided) tell("undecided", model.cells, j.certified.findings.front().message);
     expect_allowed(model, j);
     if (model.negative_at &&
-        sign_of_determinant(model.cells[model.folded_cell], *model.negative_at) != Sign::kNegative)
+        !has_determinant(model.cells[model.folded_cell], *model.negative_at, Sign::kNegative))
       wrong("the planted fold is none", model.cells);
     for (std::size_t k = 0; k < settings_.changes; ++k)
       judge_change(model, j, static_cast<Change>((seed + k) % kChangeNames.size()), random);
@@ -196,8 +199,9 @@ class Run {
   void check_in_python(const Judged& j, const std::vector<VVolume>& cells) {
     ++row_.python;
     const std::filesystem::path folder = settings_.dump;
-    const std::string model = (folder / "soak_v_models_checked.vjson").string(),
-                      certificate = (folder / "soak_v_models_checked.cert").string();
+    const std::string name = "soak_v_models_" + std::to_string(::getpid());
+    const std::string model = (folder / (name + ".vjson")).string(),
+                      certificate = (folder / (name + ".cert")).string();
     const Certified& c = j.certified;
     std::ofstream(model, std::ios::binary) << (c.copy ? c.copy->bytes : j.file);
     std::ofstream(certificate, std::ios::binary)
@@ -205,6 +209,8 @@ class Run {
     const std::string command =
         "python3 -B '" + settings_.python + "' '" + model + "' '" + certificate + "' > /dev/null";
     if (std::system(command.c_str()) != 0) wrong("the Python checker rejects", cells);
+    std::filesystem::remove(model);
+    std::filesystem::remove(certificate);
   }
 
   std::string dumped(const std::vector<VVolume>& cells) {

@@ -622,12 +622,20 @@ Model grid(Random& random) {
   Cube size;
   do size = random_degrees(random, 1, 3);
   while (size[0] * size[1] * size[2] > 8);
+  const bool is_one_cell = random.below(5) == 0;
+  if (is_one_cell) size = {1, size[1], 1};
   const Cubes cubes = box_of(size);
   Model out;
   auto degrees = usual_degrees(random);
   if (cubes.size() > 4) degrees = random_degrees(random, 1, 2);
   auto cells = cells_of(cubes, degrees, random_share(random), random, out);
   if (is_low(degrees) && cubes.size() <= 4 && random.below(3) == 0) shear(cells, out, random);
+  if (is_one_cell) {
+    out.description += ", as one cell";
+    out.cells = {in_one(cells)};
+    out.solid = numbers_of({{0, 0, 0}});
+    return out;
+  }
   set_cells(out, cells);
   out.solid = numbers_of(cubes);
   return out;
@@ -691,7 +699,7 @@ Model helix(Random& random) {
 
 Model folded(Random& random) {
   Model out;
-  const Cubes cubes = box_of({static_cast<int>(random.between(1, 2)), 1, 1});
+  const Cubes cubes = box_of({1, static_cast<int>(random.between(1, 2)), 1});
   const auto degrees =
       random.below(2) == 0 ? std::array<int, 3>{3, 3, 3} : random_degrees(random, 2, 3);
   auto cells = cells_of(cubes, degrees, 0.9 * random.unit(), random, out);
@@ -743,6 +751,13 @@ Model folded(Random& random) {
     break;
   }
   if (is_low(degrees) && random.below(3) == 0) shear(cells, out, random);
+  if (random.below(3) == 0) {
+    out.description += ", as one cell";
+    out.cells = {in_one(cells)};
+    (*out.negative_at)[1] += Rational(out.folded_cell);
+    out.folded_cell = 0;
+    return out;
+  }
   set_cells(out, cells);
   return out;
 }

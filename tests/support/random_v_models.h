@@ -52,7 +52,7 @@ Rational determinant(const AffineMap& map);
 // After it comes, sometimes, a quadratic shear (x, y + a x^2, z + b x^2 + c x y + d y^2), which is one to one and has
 // the determinant 1.
 
-/// A box of 1 to 3 cubes along each axis, at most 8 in all.
+/// A box of 1 to 3 cubes along each axis, at most 8 in all; or one cell of 1 to 3 knot spans along v.
 Model grid(Random& random);
 /// A random manifold subset of a box of cubes. If it has faces that look in opposite directions at one vertex, then
 /// star boxes exist in general only for flat faces, and it is neither moved nor sheared.
@@ -69,7 +69,7 @@ Model helix(Random& random);
 /// A grid of cells of degree 2 or 3. Inner control points of one cell are moved so that N at one inner parameter is
 /// -2^-40 times what it was, up to 1/1000 of this: N is linear in one common factor of the shifts. In half of the
 /// models the parameter is, up to 2^-24, the one at which N vanishes first as the factor grows: then N is hardly less
-/// elsewhere, and negative in a tiny part of the cell. The faces do not change.
+/// elsewhere, and negative in a tiny part of the cell. The faces do not change. At times two cells are one with a knot.
 Model folded(Random& random);
 
 /// Every cell has N > 0, and two cells, or parts of one, overlap, 2^-30 to 1/2 deep: a helix that rises by too little

@@ -44,36 +44,43 @@ inline std::string file_of(const std::vector<VVolume>& cells) {
   return spline_json_bytes(model);
 }
 
-/// det J at a parameter inside of a knot span, up to a positive factor: a few lines of rationals that share nothing
-/// with solids/vmodel but polynomials.
-inline Sign sign_of_determinant(const VVolume& cell, const Point& at) {
-  VVolume part = cell;
-  Point in;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const auto& knots = cell.axis(a).knots;
-    auto after = std::upper_bound(knots.begin(), knots.end(), at[a]);
-    if (after == knots.end()) after = std::lower_bound(knots.begin(), knots.end(), knots.back());
-    const Rational &low = *(after - 1), &high = *after;
-    part = restricted(part, a, low, high).value();
-    in[a] = (at[a] - low) / (high - low);
-  }
-  std::array<int, 3> degrees{part.axis(0).degree, part.axis(1).degree, part.axis(2).degree};
-  const auto all = part.coefficients();
-  // det of (F, 0 if polynomial; F_u; F_v; F_w) in homogeneous coordinates: P_a w - P w_a are the derivatives times w^2.
-  const BezierVolume<Rational> map(degrees, part.num_components(), false, {all.begin(), all.end()});
-  const auto p = evaluate(map, in);
-  std::array<Point, 3> d;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const auto dp = evaluate(derivative(map, a), in);
-    for (std::size_t c = 0; c < 3; ++c)
-      d[a][c] = part.is_rational() ? dp[c] * p[3] - p[c] * dp[3] : dp[c];
-  }
-  Rational det;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    det += d[0][k] * (d[1][i] * d[2][j] - d[1][j] * d[2][i]);
-  }
-  return det.sign();
+/// Whether det J has this sign at the parameter, with derivatives from one side where it is a knot: a few lines of
+/// rationals that share nothing with solids/vmodel but polynomials.
+inline bool has_determinant(const VVolume& cell, const Point& at, Sign sign) {
+  // det of the derivatives times a positive factor, in the piece that ends (side 0) or begins there, axis by axis.
+  const auto in_piece = [&](unsigned sides) -> std::optional<Sign> {
+    VVolume part = cell;
+    Point in;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto& knots = cell.axis(a).knots;
+      const bool is_right = (sides >> a & 1) != 0;
+      const auto high = is_right ? std::upper_bound(knots.begin(), knots.end(), at[a])
+                                 : std::lower_bound(knots.begin(), knots.end(), at[a]);
+      if (high == knots.begin() || high == knots.end()) return std::nullopt;
+      part = restricted(part, a, *(high - 1), *high).value();
+      in[a] = (at[a] - *(high - 1)) / (*high - *(high - 1));
+    }
+    const auto all = part.coefficients();
+    const BezierVolume<Rational> map(
+        {part.axis(0).degree, part.axis(1).degree, part.axis(2).degree}, part.num_components(),
+        false, {all.begin(), all.end()});
+    const auto p = evaluate(map, in);
+    std::array<Point, 3> d;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto dp = evaluate(derivative(map, a), in);
+      for (std::size_t c = 0; c < 3; ++c)
+        d[a][c] = part.is_rational() ? dp[c] * p[3] - p[c] * dp[3] : dp[c];
+    }
+    Rational det;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      det += d[0][k] * (d[1][i] * d[2][j] - d[1][j] * d[2][i]);
+    }
+    return det.sign();
+  };
+  for (unsigned sides = 0; sides < 8; ++sides)
+    if (in_piece(sides) == sign) return true;
+  return false;
 }
 
 inline Judged judged(const std::vector<VVolume>& cells, PatchOrientation orientation) {
@@ -98,7 +105,7 @@ inline Judged judged(const std::vector<VVolume>& cells, PatchOrientation orienta
     for (std::size_t i = 0; i < 2; ++i) {
       const FoldPoint& point = (*f.witness.fold)[i];
       const Sign planned = i == 0 ? Sign::kPositive : Sign::kNegative;
-      if (point.sign != planned || sign_of_determinant(cell, point.parameters) != planned)
+      if (point.sign != planned || !has_determinant(cell, point.parameters, planned))
         out.problem = "a point of the fold has another sign";
     }
   }

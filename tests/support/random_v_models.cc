@@ -8,6 +8,7 @@
 #include <span>
 
 #include "robust/base/check.h"
+#include "solids/volumes/primitives.h"
 #include "splines/bezier_calculus.h"
 #include "splines/bezier_components.h"
 #include "splines/bezier_product.h"
@@ -694,6 +695,58 @@ Model helix(Random& random) {
   if (!is_rational && random.below(4) == 0) shear(cells, out, random);
   set_cells(out, cells);
   out.solid = chain_numbers(count, false);
+  return out;
+}
+
+Model primitive(Random& random) {
+  const auto length = [&] { return ratio(random.between(1, 40), 16); };
+  const Rational a = length(), b = length(), c = length();
+  Model out;
+  KnownSolid solid;
+  solid.genus = {0};
+  solid.bodies = 1;
+  const auto set = [&](const char* what, Cells cells, std::array<std::uint64_t, 3> counts) {
+    out.description =
+        std::string(what) + " of " + a.to_string() + " " + b.to_string() + " " + c.to_string();
+    out.cells = std::move(cells);
+    solid.v_points = counts[0], solid.v_curves = counts[1], solid.v_surfaces = counts[2];
+  };
+  bool has_knots = false;
+  switch (random.below(8)) {
+    case 0:
+      set("box", box_cells({Rational(0), Rational(0), Rational(0)}, {a, b, c}).value(), {8, 12, 6});
+      break;
+    case 1: set("cylinder", cylinder_cells(a, b).value(), {16, 32, 22}); break;
+    case 2: set("frustum", cone_cells(a, b, c).value(), {16, 32, 22}); break;
+    case 3:
+      set("cone", cone_cells(a, Rational(0), c).value(), {9, 20, 17});
+      solid.is_regular = false;
+      break;
+    case 4:
+      set("torus", torus_cells(a + b, a).value(), {8, 20, 17});
+      solid.genus = {1};
+      has_knots = true;
+      break;
+    case 5: set("sphere", sphere_cells(a).value(), {16, 32, 24}); break;
+    case 6:
+      set("cell that is a cylinder", one_cell_cylinder(a, b).value(), {4, 6, 4});
+      solid.is_regular = false;
+      has_knots = true;
+      break;
+    default:
+      set("cell that is a sphere", one_cell_sphere(a).value(), {2, 2, 2});
+      solid.is_regular = false;
+      has_knots = true;
+      break;
+  }
+  if (!has_knots && random.below(4) == 0) {
+    std::vector<Map> cells;
+    for (const VVolume& cell : out.cells) cells.push_back(bezier_pieces(cell).pieces.front());
+    shear(cells, out, random);
+    out.cells.clear();
+    set_cells(out, cells);
+  }
+  out.solid = std::move(solid);
   return out;
 }
 

@@ -25,6 +25,7 @@ struct KnownSolid {
   std::vector<std::int64_t> genus;  ///< of the shells, ascending
   std::uint64_t bodies = 0;
   std::uint64_t v_surfaces = 0, v_curves = 0, v_points = 0;
+  bool is_regular = true;  ///< no determinant vanishes anywhere
 };
 
 struct Model {
@@ -65,6 +66,10 @@ Model opposed(Random& random);
 Model ring(Random& random);
 /// The same with a second summand of h, which rises with v and by more in a turn than h does over the square.
 Model helix(Random& random);
+
+/// A box, cylinder, cone, torus or sphere of solids/volumes/primitives.h, or one cell that is a cylinder or a sphere:
+/// with collapsed faces, and glued to itself. At times sheared, if its cells have no knots.
+Model primitive(Random& random);
 
 /// A grid of cells of degree 2 or 3. Inner control points of one cell are moved so that N at one inner parameter is
 /// -2^-40 times what it was, up to 1/1000 of this: N is linear in one common factor of the shifts. In half of the

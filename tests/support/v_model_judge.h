@@ -123,7 +123,7 @@ inline std::string wrong_numbers(const Judged& j, const KnownSolid& truth, std::
   std::sort(genus.begin(), genus.end());
   if (genus != truth.genus) return "wrong genus or number of shells";
   if (facts.bodies != truth.bodies) return "wrong number of bodies";
-  if (!facts.vmodel->singular.empty()) return "not regular";
+  if (facts.vmodel->singular.empty() != truth.is_regular) return "regular, or not regular";
   const VCounts& n = facts.vmodel->counts;
   const auto chi = static_cast<std::int64_t>(truth.v_points + truth.v_surfaces) -
                    static_cast<std::int64_t>(truth.v_curves + num_cells);

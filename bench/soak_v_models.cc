@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/soak_v_models.cc: --models N --non-manifold M --seed S [--family NAME] [--changes K]
 // [--python PATH] [--python-every K] [--dump FOLDER]. Random V-models of known truth
-// (tests/support/random_v_models.h), N of each family (M that are no manifold), judged by certify.
+// (tests/support/random_v_models.h), N of each family (M of the last, non_manifold), judged by certify.
 // The C++ checker checks every certificate in this process, the Python one (its path) some. Then K
 // other descriptions of each model, of five kinds in turn: the same verdict, genus, counts and
 // volume. One JSON line a row: wrong answers. Each wrong or undecided model is written to FOLDER

@@ -35,7 +35,7 @@ struct Model {
   /// Folded models: the determinant of this cell is negative at this parameter, exactly.
   std::size_t folded_cell = 0;
   std::optional<Point> negative_at;
-  /// Models that are no manifold: the edges, (cell, edge), and corners, (cell, corner), on such V-curves and V-points.
+  /// Models that are not manifolds: the edges, (cell, edge), and corners, (cell, corner), on such V-curves and V-points.
   std::set<std::pair<std::size_t, std::size_t>> bad_edges, bad_corners;
 };
 
@@ -64,7 +64,8 @@ Model opposed(Random& random);
 /// into the half-plane rho > 0 that is moved as above; c is a curve around 0, quadratic or rational, whose angle
 /// increases, as the coefficients of c x c' are positive. Sheared at times, as all that follow.
 Model ring(Random& random);
-/// The same with a second summand of h, which rises with v and by more in a turn than h does over the square.
+/// A chain as of a ring, with a second summand of h, which rises with v and by more in a turn than h does over the
+/// square.
 Model helix(Random& random);
 
 /// A box, cylinder, cone, torus or sphere of solids/volumes/primitives.h, or one cell that is a cylinder or a sphere:

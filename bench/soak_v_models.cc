@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/soak_v_models.cc: --models N --non-manifold M --seed S [--family NAME] [--changes K]
-// [--python PATH] [--python-every K] [--dump FOLDER]. Random V-models of known truth
+// [--python PATH] [--python-every K] [--dump FOLDER] [--only-write 1]. Random V-models of known truth
 // (tests/support/random_v_models.h), N of each family (M of the last, non_manifold), judged by certify.
 // The C++ checker checks every certificate in this process, the Python one (its path) some. Then K
 // other descriptions of each model, of five kinds in turn: the same verdict, genus, counts and
 // volume. One JSON line a row: wrong answers. Each wrong or undecided model is written to FOLDER
-// (default: that for temporary files), and named on standard error with its seed.
+// (default: that for temporary files), and named on standard error with its seed; with --only-write 1 all are, and
+// nothing is judged.
 #include <unistd.h>
 
 #include <algorithm>
@@ -64,6 +65,7 @@ bool is_among(const std::string& code, std::string words) {
 struct Settings {
   std::uint64_t seed = 1;
   std::size_t changes = 5, python_every = 50;
+  std::uint64_t only_write = 0;
   std::string python, dump = std::filesystem::temp_directory_path().string();
 };
 
@@ -90,6 +92,7 @@ class Run {
     Random random(seed * 1000003);
     const Model model = family_.make(random);
     what_ = model.description;
+    if (settings_.only_write != 0) return tell("written", model.cells, "not judged");
     const Judged j = timed(model.cells, PatchOrientation::kKeep);
     ++row_.models;
     ++(j.verdict() == Verdict::kValid     ? row_.valid
@@ -275,7 +278,8 @@ int main(int argc, char** argv) {
                          {"--changes", &changes},
                          {"--python", &settings.python},
                          {"--python-every", &every},
-                         {"--dump", &settings.dump}});
+                         {"--dump", &settings.dump},
+                         {"--only-write", &settings.only_write}});
   settings.changes = changes;
   settings.python_every = std::max<std::uint64_t>(every, 1);
   bool is_known = only.empty(), is_good = true;

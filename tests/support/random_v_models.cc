@@ -827,8 +827,8 @@ Model overlapping(Random& random) {
                         count = n + 1 + random.below(2);
       const Section section = random_section(0, random);
       cells = random_helix(section, n, count, Rational(1) - depth, is_rational, random).cells;
-      out.description =
-          "helix of " + std::to_string(count) + " cells, " + std::to_string(n) + " a turn";
+      out.description = "helix of " + std::to_string(count) + " cells, " + std::to_string(n) +
+                        " a turn, depth " + depth.to_string();
       if (!is_rational && random.below(3) == 0) shear(cells, out, random);
       if (!is_rational && random.below(2) == 0) {
         out.description += ", as one cell";

@@ -16,25 +16,25 @@
 namespace veritope::internal {
 namespace {
 
-using Place = std::array<double, 3>;
-using Values = Bezier<double, 3>;
+using DescentPoint = std::array<double, 3>;
+using DescentNet = Bezier<double, 3>;
 
-constexpr int kMostSteps = 60;
-constexpr double kResolution = 0x1p-32;  // of the point that is returned
+constexpr int kMostDescentSteps = 60;
+constexpr double kDescentUnit = 0x1p-32;  // of the point that is returned
 
 // N and its first and second derivatives.
-class Landscape {
+class DescentLandscape {
  public:
-  explicit Landscape(Values values) : values_(std::move(values)) {
+  explicit DescentLandscape(DescentNet values) : values_(std::move(values)) {
     for (std::size_t a = 0; a < 3; ++a) slopes_.push_back(derivative(values_, a));
     for (std::size_t a = 0; a < 3; ++a)
       for (std::size_t b = 0; b <= a; ++b) bends_.push_back(derivative(slopes_[a], b));
   }
-  double height(const Place& at) const { return evaluate(values_, at)[0]; }
+  double height(const DescentPoint& at) const { return evaluate(values_, at)[0]; }
 
   // The step to the lowest point of the quadratic model whose second derivatives are raised by `damping`; nothing if
   // that model has no lowest point.
-  std::optional<Place> step(const Place& at, double damping) const {
+  std::optional<DescentPoint> step(const DescentPoint& at, double damping) const {
     double m[3][4];
     for (std::size_t a = 0, n = 0; a < 3; ++a) {
       for (std::size_t b = 0; b <= a; ++b, ++n) m[a][b] = m[b][a] = evaluate(bends_[n], at)[0];
@@ -48,7 +48,7 @@ class Landscape {
         for (std::size_t j = k; j < 4; ++j) m[i][j] -= factor * m[k][j];
       }
     }
-    Place out;
+    DescentPoint out;
     for (std::size_t k = 3; k-- > 0;) {
       out[k] = m[k][3];
       for (std::size_t j = k + 1; j < 3; ++j) out[k] -= m[k][j] * out[j];
@@ -58,8 +58,8 @@ class Landscape {
   }
 
  private:
-  Values values_;
-  std::vector<Values> slopes_, bends_;
+  DescentNet values_;
+  std::vector<DescentNet> slopes_, bends_;
 };
 
 }  // namespace
@@ -74,18 +74,18 @@ std::optional<std::array<Rational, 3>> low_point(const RoundedJacobian& net, int
   for (std::size_t a = 0; a < 3; ++a) degrees[a] = static_cast<int>(net.grid.size[a]) - 1;
   std::vector<double> values = net.values;
   for (double& x : values) x *= sign / greatest;
-  const Landscape landscape(Values(degrees, 1, false, std::move(values)));
-  Place at;
+  const DescentLandscape landscape(DescentNet(degrees, 1, false, std::move(values)));
+  DescentPoint at;
   for (std::size_t a = 0; a < 3; ++a) {
     const auto ends = near.along(a);
     at[a] = nearest_double((ends[0] + ends[1]) / Rational(2));
   }
   double height = landscape.height(at), damping = 0x1p-20;
-  for (int n = 0; n < kMostSteps && damping < 0x1p60; ++n) {
-    Place next = at;
+  for (int n = 0; n < kMostDescentSteps && damping < 0x1p60; ++n) {
+    DescentPoint next = at;
     const auto step = landscape.step(at, damping);
     for (std::size_t a = 0; step && a < 3; ++a)
-      next[a] = std::clamp(at[a] + (*step)[a], kResolution, 1 - kResolution);
+      next[a] = std::clamp(at[a] + (*step)[a], kDescentUnit, 1 - kDescentUnit);
     const double there = landscape.height(next);
     if (step && there < height) {
       at = next, height = there;
@@ -96,7 +96,7 @@ std::optional<std::array<Rational, 3>> low_point(const RoundedJacobian& net, int
   }
   std::array<Rational, 3> out;
   for (std::size_t a = 0; a < 3; ++a)
-    out[a] = Rational::from_double(std::nearbyint(at[a] / kResolution) * kResolution);
+    out[a] = Rational::from_double(std::nearbyint(at[a] / kDescentUnit) * kDescentUnit);
   return out;
 }
 

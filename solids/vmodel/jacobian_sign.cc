@@ -48,6 +48,7 @@ class CellDecider {
         return out.findings.push_back(std::move(*finding));
       result = internal::search_tree(exact, sign_, zeros, max_nodes_);
     }
+    if (result.end == TreeEnd::kTooLarge) look_below(piece, rounded, result);
     if (result.end != TreeEnd::kProved) return out.findings.push_back(finding_of(piece, result));
     if (zeros == 0 && result.tree.size() == 1) return;
     for (unsigned n = 0; n < 26; ++n) out.num_zeros += zeros >> n & 1;
@@ -92,6 +93,17 @@ class CellDecider {
         return finding_at(JacobianFinding::Kind::kZeroFace, sub_face_box(piece, n));
     }
     return std::nullopt;
+  }
+
+  // The tree got too large where N is small: N may be negative at a point nearby that no halving has met.
+  void look_below(const Index3& piece, const RoundedJacobian& rounded, TreeResult& result) const {
+    auto point = internal::low_point(rounded, sign_, result.box);
+    if (!point) return;
+    std::array<Rational, 3> at;
+    for (std::size_t a = 0; a < 3; ++a) at[a] = parameter(a, piece, (*point)[a]);
+    if (jacobian_sign(model_->cell(cell_), at) * sign_of(Rational(sign_)) >= 0) return;
+    result.end = TreeEnd::kNegative;
+    result.point = std::move(*point);
   }
 
   JacobianFinding finding_of(const Index3& piece, const TreeResult& result) const {

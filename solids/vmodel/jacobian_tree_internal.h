@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "robust/rational.h"
@@ -64,6 +65,11 @@ TreeResult search_tree(const RoundedJacobian& net, int sign, std::size_t max_nod
 /// The zeros: bit n for sub-face n.
 TreeResult search_tree(const ExactJacobian& net, int sign, std::uint32_t zeros,
                        std::size_t max_nodes);
+
+/// A point inside of the unit cube, of few bits, at which rounded N times sign is as low as steps downhill from the
+/// box's middle led: a guess, whose sign is not known. Nothing if numbers are out of range.
+std::optional<std::array<Rational, 3>> low_point(const RoundedJacobian& net, int sign,
+                                                 const DyadicBox& near);
 
 /// The greatest sub-faces on which all coefficients are 0, bit 26 for all of it.
 std::uint32_t zeros_of(const ExactJacobian& net);

@@ -322,6 +322,30 @@ TEST(JacobianSign, ZerosHoldInAnyDescription) {
   EXPECT_GE(proofs, 120u);
 }
 
+// N = 9 (3 - 16 t / 81) is least at (2/3, 1/3, 1/3), which no halving meets.
+TEST(JacobianSign, ATinyFoldIsFoundWhereTheTreeGetsTooLarge) {
+  const auto decided = [](const Rational& t) {
+    const VVolume cell =
+        v_cells::polynomial({3, 3, 3}, [&](std::size_t i, std::size_t j, std::size_t k) {
+          return Point{Rational(i) + (i == 1 && j == 1 && k == 1 ? t : Rational(0)), Rational(j),
+                       Rational(k)};
+        });
+    JacobianOptions options;
+    options.max_nodes = 64;
+    return decide_determinants(model_of({cell}), options);
+  };
+  const Rational limit = q(243, 16), little = Rational::power_of_two(-40);
+  const VDeterminants folded = decided(limit * (Rational(1) + little)),
+                      sound = decided(limit * (Rational(1) - little));
+  ASSERT_EQ(folded.findings.size(), 1u);
+  EXPECT_EQ(folded.findings[0].kind, JacobianFinding::Kind::kFolded);
+  ASSERT_EQ(folded.findings[0].places.size(), 2u);
+  const Point& at = folded.findings[0].places[1].at;
+  EXPECT_LT(abs(at[0] - q(2, 3)), Rational::power_of_two(-18));
+  ASSERT_EQ(sound.findings.size(), 1u);
+  EXPECT_EQ(sound.findings[0].kind, JacobianFinding::Kind::kUndecided);
+}
+
 // Three inner control points pulled up and out: the border is a cube, the inside is folded.
 TEST(JacobianSign, AFoldInsideOfACubeIsShown) {
   const VVolume cell =

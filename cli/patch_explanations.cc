@@ -243,7 +243,7 @@ constexpr std::array<PatchExplanation, 22> kExplanations = {{
   +-----x-----+    two cells share the edge x alone
         |     |
         +-----+)"},
-    {{"point-nonmanifold", "point at which the boundary meets itself",
+    {{"point-nonmanifold", "point that the border has twice",
       "Corners of border faces that are no neighbours around a point, by faces and edges, are at "
       "one point. Status 1.",
       "Cells that share only a corner; two gaps between cells that meet in a corner.",

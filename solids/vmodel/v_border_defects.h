@@ -44,8 +44,8 @@ class VBorder {
   VBorder& operator=(VBorder&&) noexcept;
   ~VBorder();
 
-  /// Equal sides are found in any degree; partly equal ones where a vertex lies on a side at a simple parameter. Nothing
-  /// where a face equals others that are not glued to it, or where a cell is collapsed in part near the place.
+  /// Equal sides are found in any degree; partly equal ones where a vertex lies on a side at a simple parameter.
+  /// Nothing where a face equals others that are not glued to it, or where a cell is collapsed in part near the place.
   /// @cost near-linear in the sides
   std::optional<VCrowdedCurve> crowded_curve() const;
   /// Nothing unless all sides fit. As above.

@@ -362,8 +362,8 @@ TEST(VWeld, GridsWithGapsAroundEpsAreWeldedInParts) {
   EXPECT_GT(by_sides, 0u);
 }
 
-// A cube of six pyramids over its faces, and one of four wedges around the z axis, each cell shifted as a whole: what is
-// collapsed follows its neighbours.
+// A cube of six pyramids over its faces, and one of four wedges around the z axis, each cell shifted as a whole: what
+// is collapsed follows its neighbours.
 TEST(VWeld, CollapsedFacesFollowTheirNeighbours) {
   const std::uint64_t seed = 11;
   Random random(seed);

@@ -55,7 +55,6 @@ WeldClasses::WeldClasses(const VModel& model)
     const VFaceRole& role = model.face(f);
     if (role.is_glued() && role.mate > f) tie_sides(f, role.mate, role.symmetry);
   }
-  tie_collapsed();
   tie_equal_corners();
   tie_equal_edges();
   is_tied_corner_.assign(8 * model.num_cells(), false);
@@ -67,21 +66,6 @@ void WeldClasses::tie_sides(VFaceNumber f, VFaceNumber g, unsigned symmetry) {
     const TiedSide side = tied_side(f, g, symmetry, n);
     for (std::size_t end = 0; end < 2; ++end) corners_.join(side.own[end], side.other[end]);
     if (!is_collapsed_edge(*model_, side.edge)) edges_.tie(side.edge, side.other_edge, side.flips);
-  }
-}
-
-void WeldClasses::tie_collapsed() {
-  for (VFaceNumber f = 0; f < model_->num_faces(); ++f) {
-    const VCollapse collapse = model_->face(f).collapse;
-    if (collapse != VCollapse::kAlongFirst && collapse != VCollapse::kAlongSecond) continue;
-    const std::size_t n = collapse == VCollapse::kAlongFirst ? 2 : 0;
-    edges_.tie(12 * (f / 6) + edge_of_side(f % 6, n), 12 * (f / 6) + edge_of_side(f % 6, n + 1),
-               false);
-  }
-  for (std::uint32_t edge = 0; edge < 12 * model_->num_cells(); ++edge) {
-    if (!is_collapsed_edge(*model_, edge)) continue;
-    const auto ends = ends_of_edge(edge % 12);
-    corners_.join(8 * (edge / 12) + ends[0], 8 * (edge / 12) + ends[1]);
   }
 }
 

@@ -14,8 +14,8 @@
 
 namespace veritope::internal {
 
-/// Corners 8 cell + corner, and edges 12 cell + edge; those that are equal already are one from the start. Collapsed
-/// edges have no class: their ends are one corner.
+/// Corners 8 cell + corner, and edges 12 cell + edge; those that are equal already are one from the start, such as the
+/// ends of a collapsed edge and two sides of a collapsed face. Collapsed edges have no class.
 class WeldClasses {
  public:
   explicit WeldClasses(const VModel& model);
@@ -37,7 +37,6 @@ class WeldClasses {
     std::array<Rational, 3> low, high;
   };
   void tie_sides(VFaceNumber f, VFaceNumber g, unsigned symmetry);
-  void tie_collapsed();
   void tie_equal_corners();
   void tie_equal_edges();
   Range range_of(std::uint32_t corner_class) const;

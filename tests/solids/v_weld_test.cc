@@ -239,13 +239,15 @@ TEST(VWeld, TheMateOfAFaceThatMovesMovesToo) {
   EXPECT_EQ(out.glued_after, 2u);
 }
 
-// The two cubes touch in an edge only, which is a V-curve of both. It stays one when the second cube moves.
+// The first two cells touch in an edge only, which is a V-curve of both. It stays one when the second cell moves.
 TEST(VWeld, WhatIsEqualStaysEqual) {
-  const VVolume low = cube(0, 0, 0), high = elevate(cube(1, 1, 0), 2, 1);
-  const VVolume lid = with_shift(cube(1, 1, 1), [](const auto& at) { return at[2] == 0; },
-                                 {ratio(1, 2000), ratio(1, 3000), Rational(0)});
-  const VWeld out = welded({elevate(low, 2, 1), high, elevate(lid, 0, 0)}, kEps);
+  const VVolume low = elevate(cube(0, 0, 0), 2, 1), high = elevate(cube(1, 1, 0), 2, 1);
+  const VVolume beside = with_shift(
+      box({Rational(-1), Rational(1), Rational(0)}, {Rational(1), Rational(2), Rational(1)}),
+      is_right_end, {ratio(1, 2000), ratio(1, 3000), Rational(0)});
+  const VWeld out = welded({low, high, beside}, kEps);
   EXPECT_EQ(out.glued_after, 1u);
+  EXPECT_EQ(out.changed, (std::vector<std::uint32_t>{0, 1}));
   const VVolume &a = out.cells[0], &b = out.cells[1];
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_EQ(internal::control_point(a, a.grid().at({1, 1, k})),
@@ -360,8 +362,8 @@ TEST(VWeld, GridsWithGapsAroundEpsAreWeldedInParts) {
   EXPECT_GT(by_sides, 0u);
 }
 
-// A cube of six pyramids over its faces, and one of four wedges around the z axis, each cell shifted as a whole: what is
-// collapsed follows its neighbours.
+// A cube of six pyramids over its faces, and one of four wedges around the z axis, each cell shifted as a whole: what
+// is collapsed follows its neighbours.
 TEST(VWeld, CollapsedFacesFollowTheirNeighbours) {
   const std::uint64_t seed = 11;
   Random random(seed);
@@ -383,6 +385,9 @@ TEST(VWeld, CollapsedFacesFollowTheirNeighbours) {
             }
             return p;
           }));
+    while (cells.size() > 2 && random.below(3) != 0)
+      cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(random.below(cells.size())));
+    const std::uint64_t expected = num_glued(cells);
     for (VVolume& cell : cells) {
       Point shift;
       for (Rational& x : shift) x = kEps * ratio(random.between(-1000, 1000), 4001);
@@ -392,9 +397,8 @@ TEST(VWeld, CollapsedFacesFollowTheirNeighbours) {
           cell, [](const auto&) { return true; }, shift);
     }
     const VWeld out = welded(cells, kEps);
-    EXPECT_EQ(out.glued_after, has_wedges ? 4u : 12u)
-        << "seed " << seed << ", round " << round << "\n"
-        << text_of_cells(cells);
+    EXPECT_EQ(out.glued_after, expected) << "seed " << seed << ", round " << round << "\n"
+                                         << text_of_cells(cells);
     EXPECT_LE(out.largest_displacement, kEps / Rational(2));
   }
 }

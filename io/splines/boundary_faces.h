@@ -31,10 +31,9 @@ struct BoundaryFaces {
   std::uint64_t num_walls = 0;    ///< pairs of faces that were left out
 };
 /// Coordinates from the fourth on, attributes, are left out.
-/// @error  where the rule refuses the model, with the entity: kBadArgument for one that is not a volume, that
-/// has fewer than three coordinates, an axis without clamped ends or with a knot at which it may be torn, or too long numbers, or that folds at its
-/// corners. kEmpty if no face is
-/// left.
+/// @error  where the rule refuses the model, with the entity: kBadArgument for one that is not a volume, that has fewer
+/// than three coordinates, an axis without clamped ends or with a knot at which it may be torn, or too long numbers, or
+/// that folds at its corners. kEmpty if no face is left.
 /// @cost  near-linear in the control points of the faces
 Result<BoundaryFaces> boundary_faces(const SplineModel& model);
 

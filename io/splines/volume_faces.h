@@ -30,8 +30,8 @@ struct VolumeFaces {
 /// has one sign everywhere, nor whether the patches bound a solid.
 /// At an inner knot where a volume is torn, both of its sides are faces.
 /// @error kEmpty without a volume, and where no face is left (a flat volume). With the entity: kBadArgument for one
-/// with fewer than three coordinates, kOverLimit for over kMaxPatches faces before walls go, and for a determinant that rounded numbers do not
-/// decide and whose exact numbers are longer than 2^16 bits.
+/// with fewer than three coordinates, kOverLimit for over kMaxPatches faces before walls go, and for a determinant that
+/// rounded numbers do not decide and whose exact numbers are longer than 2^16 bits.
 Result<VolumeFaces> volume_faces(const SplineModel& model);
 
 }  // namespace veritope

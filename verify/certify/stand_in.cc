@@ -67,7 +67,7 @@ bool has_left_out_shapes(const SplineFile& file) {
     if (l.is_geometry) return true;
   return false;
 }
-// The first entity that is a volume with fewer than three coordinates; the number of entities if there is none.
+// The first entity that is a volume with fewer than three coordinates. REQUIRES one.
 std::size_t first_flat_volume(const SplineModel& model) {
   const auto at =
       std::find_if(model.entities.begin(), model.entities.end(), [](const SplineEntity& e) {

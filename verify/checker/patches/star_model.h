@@ -35,8 +35,8 @@ std::vector<Entity> read_itd_model(const std::string& file, bool has_volumes, si
 std::vector<Entity> read_g2_model(const std::string& file, size_t* at);
 std::vector<Entity> read_mfem_model(const std::string& file, size_t* at);
 
-// docs/certificates/reading-rule-faces.md. Section 1: without attributes; refuses an entity that is no volume, or not as
-// the page says.
+// docs/certificates/reading-rule-faces.md. Section 1: leaves out attributes; refuses an entity that is not as the page
+// says.
 std::vector<Entity> volumes_in_space(std::vector<Entity> volumes);
 // The surfaces that bound the volumes.
 std::vector<Entity> boundary_faces(std::vector<Entity> volumes);

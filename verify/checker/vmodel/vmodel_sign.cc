@@ -59,7 +59,6 @@ void add_any_product(const Tri& a, const Tri& b, Tri* to) {
     case 5: return add_product<5>(a, b, to);
     case 6: return add_product<6>(a, b, to);
     case 7: return add_product<7>(a, b, to);
-    case 8: return add_product<8>(a, b, to);
     default: return add_product<0>(a, b, to);
   }
 }
@@ -74,8 +73,7 @@ Tri widened(const Tri& a, int width) {
   Tri r(a.n, width);
   for (size_t i = 0, to = 0; i < a.d.size(); i += size_t(a.width), to += size_t(width)) {
     std::copy(&a.d[i], &a.d[i] + a.width, &r.d[to]);
-    const uint64_t above = 0 - (a.d[i + size_t(a.width) - 1] >> 63);
-    std::fill(&r.d[to] + a.width, &r.d[to] + width, above);
+    std::fill(&r.d[to] + a.width, &r.d[to] + width, 0 - (a.d[i + size_t(a.width) - 1] >> 63));
   }
   return r;
 }
@@ -108,9 +106,7 @@ class Determinant {
 
  private:
   typedef std::vector<Tri> Row;
-
-  // A coefficient of a derivative, with its binomials, is below 2^(bits + 1 + degrees), and so is their sum; a
-  // determinant is a sum of 6 or 24 products.
+  // Coefficients of derivatives and binomials: below 2^(bits + 1 + degrees), as is their sum; 6 or 24 products.
   int width_of(int factors) const {
     return int((factors * (piece_.bits + 1 + int64_t(piece_.degrees())) + 6) / 64 + 1);
   }
@@ -137,10 +133,9 @@ class Determinant {
   void add_rational(Tri* sum) const {
     static const size_t kOthers[4][3] = {{2, 1, 3}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
     const std::vector<Row> rows = rows_of(3);
-    for (size_t c = 0; c < 4; ++c)
-      add_any_product(component(c, -1, width_),
-                      widened(cofactor(rows, kOthers[c][0], kOthers[c][1], kOthers[c][2]), width_),
-                      sum);
+    size_t c = 0;
+    for (const size_t* k : kOthers)
+      add_any_product(component(c++, -1, width_), widened(cofactor(rows, k[0], k[1], k[2]), width_), sum);
   }
   // (X, Y, Z, W)[c], or its derivative along an axis divided by the degree.
   Tri component(size_t c, int axis, int width) const {
@@ -170,8 +165,7 @@ struct Digits {
   int d[3];
   explicit Digits(int s) : d{s / 9, s / 3 % 3, s % 3} {}
 };
-struct
-    Ends {  // for each axis, whether a node begins where the piece does, and whether it ends there
+struct Ends {  // for each axis, whether a node begins, and ends, where the piece does
   bool is[3][2];
 };
 // Whether a sub-face of a node lies in a zero of the piece.

@@ -27,8 +27,7 @@ def boundary_faces(volumes):
 # ---------------------------------------------------------------- section 1: volumes
 
 def checked(volumes):
-    """Each volume without its attributes, and its control points, each in integers; refuses what is no volume of section
-    1."""
+    """Each volume without its attributes, and its control points, each in integers; refuses what section 1 refuses."""
     for n, volume in enumerate(volumes):
         check_volume(n, volume)
         volume = in_space(n, volume)

@@ -58,6 +58,7 @@ struct VOverlapOptions {
   };
   std::vector<Hint> hints;
   std::size_t max_solves = 200'000;  ///< of systems of three equations, by Newton's iteration
+  bool within_spans = true;  ///< seek parts of one knot span that overlap, too, which takes many
 };
 /// Seeks among the images of points in the middle of pieces and next to middles, edges and corners of border faces one
 /// that another cell, or another part of the same one, has as well. What is found is proved; nothing found proves

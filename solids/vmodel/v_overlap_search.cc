@@ -181,7 +181,7 @@ class OverlapSearch {
       if (auto found = try_at(place_at(model_, hint.cell, hint.at), true)) return found;
     for (const Samples samples : {Samples::kMiddles, Samples::kFaces, Samples::kNearEdges})
       if (auto found = try_samples(samples)) return found;
-    return try_within_spans();
+    return options_.within_spans ? try_within_spans() : std::nullopt;
   }
 
  private:

@@ -30,7 +30,8 @@ namespace {
 using certificate::VModelBody;
 using certificate::VModelFace;
 
-constexpr int kMostUnit = 4096;  // of coordinates in a star-box body, as a power of two
+constexpr std::size_t kFewSolves = 5000;  // some hundredths of a second
+constexpr int kMostUnit = 4096;           // of coordinates in a star-box body, as a power of two
 
 Finding v_reason(const char* code, std::string message) {
   Finding out;
@@ -178,6 +179,14 @@ class VModelCertification {
       if (auto proof = refuter().overlap(*overlap)) return invalid(std::move(*proof));
     return undecided(std::move(finding));
   }
+  // Before star boxes, which take long to give up where sheets lie very near one another.
+  std::optional<VRefutation> obvious_overlap() const {
+    VOverlapOptions few;
+    few.max_solves = kFewSolves;
+    few.within_spans = false;
+    const auto overlap = find_overlap(*model_, few);
+    return overlap ? refuter().overlap(*overlap) : std::nullopt;
+  }
   std::optional<VRefutation> border_defect() const {
     const std::optional<VBorder> border = VBorder::make(*model_);
     if (!border) return std::nullopt;
@@ -243,6 +252,7 @@ class VModelCertification {
     Result<FilePatches> patches = patches_of_border(border);
     if (!patches) return undecided(v_reason("not-covered", text_of(finding_of(patches.error()))));
     if (auto proof = border_defect()) return invalid(std::move(*proof));
+    if (auto proof = obvious_overlap()) return invalid(std::move(*proof));
     FilePatches& p = *patches;
     facts_.patches = p.complex->patches().size();
     facts_.edges = p.complex->num_edges();

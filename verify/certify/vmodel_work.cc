@@ -18,7 +18,6 @@ namespace {
 using internal::kFreeVModelUnits, internal::kMostBitsOfKnots, internal::kMostBitsOfPiece,
     internal::kMostBitsOfPoints, internal::kVModelUnitsOfByte;
 
-
 Finding beyond_limits(std::size_t cell, const std::string& what) {
   Finding out;
   out.code = "not-covered";

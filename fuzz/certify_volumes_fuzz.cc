@@ -22,11 +22,7 @@ using v_cells::Point;
 
 Verdict verdict_of(const std::vector<VVolume>& cells, std::uint8_t how) {
   SplineModel model;
-  for (const VVolume& cell : cells) {
-    SplineEntity entity;
-    entity.shape = cell;
-    model.entities.push_back(std::move(entity));
-  }
+  for (const VVolume& cell : cells) model.entities.push_back({cell, {}, {}, {}});
   const std::string file = spline_json_bytes(model);
   CertifyOptions options;
   options.max_cells = 400;

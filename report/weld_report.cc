@@ -59,7 +59,7 @@ std::string weld_json(const WeldReport& report) {
   for (const VApartPair& pair : weld.apart) {
     Json faces = Json::array({cell_face_json(pair.first), cell_face_json(pair.second)});
     apart.push_back({{"faces", std::move(faces)},
-                     {"reason", v_apart_reason_name(pair.reason)},
+                     {"because", v_apart_reason_name(pair.reason)},
                      {"distance", pair.distance ? length_json(*pair.distance) : Json(nullptr)}});
   }
   out["schema"] = "veritope-weld-1";

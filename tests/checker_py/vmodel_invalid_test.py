@@ -43,6 +43,7 @@ class InvalidTest(unittest.TestCase):
 
 
 class Honest(InvalidTest):
+    # PROVES VMODEL-2
     def test_findings_of_every_kind(self):
         for name in models.made():
             with self.subTest(name):
@@ -51,6 +52,7 @@ class Honest(InvalidTest):
 
 
 class Lies(InvalidTest):
+    # PROVES VMODEL-2.F
     def test_each_is_rejected_by_one_condition_and_accepted_without_it(self):
         found = collections.Counter()
         for what, condition, lie in lies():
@@ -73,6 +75,7 @@ class ValidModels(InvalidTest):
                     with self.subTest(name, seed=seed, cell=cell, corner=corner):
                         self.says("P2", first.changed(parts=(cell, corner)))
 
+    # PROVES VMODEL-2.C
     def test_no_three_sides_with_one_curve_are_accepted(self):
         tried = 0
         for name, maps in models.valid_models().items():
@@ -85,6 +88,7 @@ class ValidModels(InvalidTest):
                         tried += 1
         self.assertGreater(tried, 500)
 
+    # PROVES VMODEL-2.O
     def test_no_point_and_no_box_is_an_overlap(self):
         """Points on a common face, in both cells; boxes with the rows that fit the cell."""
         rng = random.Random(5)
@@ -117,6 +121,7 @@ class Links(InvalidTest):
     """Cells around a point or a line, of which some are there. The point is claimed truly if the border of the cells, cut by a small sphere,
     is more than one cycle."""
 
+    # PROVES VMODEL-2.P
     def test_all_sets_of_octants(self):
         counts = collections.Counter()
         for chosen in range(1, 256):

@@ -59,7 +59,7 @@ class Weld(Folder):
         self.assertEqual(report["largest_displacement"], pair["distance"])
         self.assertEqual(report["farthest_cell"], 1)
         (apart,) = report["apart"]
-        self.assertEqual((apart["reason"], apart["distance"]["exact"]), ("control-points", "1/4"))
+        self.assertEqual((apart["because"], apart["distance"]["exact"]), ("control-points", "1/4"))
         cells = json.loads(self.out.read_text())["entities"]
         self.assertEqual([p[0] for p in cells[1]["shape"]["points"] if Fraction(p[0]) < 2], ["1"] * 6)
 
@@ -93,10 +93,10 @@ class Weld(Folder):
 
     def test_a_crowd_and_a_collapse_are_refused_for_their_pairs(self):
         report = self.report(self.file(box((0, 0, 0), ("0.0001", 1, 1))), "1e-3")
-        self.assertEqual([pair["reason"] for pair in report["apart"]], ["collapse"])
+        self.assertEqual([pair["because"] for pair in report["apart"]], ["collapse"])
         cells = [box((0, 0, 0), (1, 1, 1)), box((1.0001, 0, 0), (2, 1, 1)), box((1.0002, 0, 0), (3, 1, 1))]
         report = self.report(self.file("".join(cells)), "1e-3")
-        self.assertEqual([pair["reason"] for pair in report["apart"]], ["several", "several"])
+        self.assertEqual([pair["because"] for pair in report["apart"]], ["several", "several"])
         self.assertEqual(report["counts"]["changed"], 0)
 
     def test_the_report_and_the_file_go_where_they_are_asked_for(self):

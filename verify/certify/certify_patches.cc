@@ -323,6 +323,13 @@ Certified cells_not_covered() {
   return out;
 }
 
+// A face that touches itself is wrong wherever it is split, if it is a curve or a point there.
+bool are_two_faces_that_touch(const Finding& finding) {
+  const auto& parts = finding.place.parts;
+  return finding.code == "patches-touching" && parts.size() == 2 &&
+         (parts[0].entity != parts[1].entity || parts[0].face != parts[1].face);
+}
+
 // Cells that are not certified: what is known of the boundary.
 Certified with_boundary(VModelAnswer cells, StandIn stand_in, const CertifyOptions& options) {
   const bool is_same = has_faces(stand_in, cells.border);
@@ -334,8 +341,8 @@ Certified with_boundary(VModelAnswer cells, StandIn stand_in, const CertifyOptio
         "faces are not glued because one cell has a part of another's face: " + finding.message;
   }
   if (!faces || !is_same) return std::move(cells.certified);
-  // Faces that touch refute the surface, but not cells, which may be valid once they are split there.
-  if (faces->verdict == Verdict::kInvalid && faces->findings.front().code == "patches-touching") {
+  // Two faces that touch refute the surface, but not cells, which may be valid once they are split there.
+  if (faces->verdict == Verdict::kInvalid && are_two_faces_that_touch(faces->findings.front())) {
     Finding& finding = cells.certified.findings.front();
     finding = std::move(faces->findings.front());
     finding.code = "contact";

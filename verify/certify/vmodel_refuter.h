@@ -21,7 +21,7 @@ struct VRefutation {
   certificate::VModelInvalidFinding certified;
 };
 
-/// Each function has nothing to return where the proof is none, or needs longer numbers or more work than checkers
+/// Each function returns nothing where there is no proof, or where it needs longer numbers or more work than checkers
 /// accept.
 class VModelRefuter {
  public:

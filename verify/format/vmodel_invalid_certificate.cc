@@ -12,7 +12,7 @@ namespace {
 using internal::ByteReader;
 using internal::ByteWriter;
 
-// The same code writes and reads a body, so that the two cannot differ: a field is written, or is filled in.
+// One function lists the fields of a part, to be written or filled in, so that the two cannot differ.
 struct WriteFields {
   ByteWriter& to;
   void varint(const std::uint64_t& v) { to.varint(v); }

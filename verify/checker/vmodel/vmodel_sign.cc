@@ -4,13 +4,11 @@
 #include "vmodel.h"
 
 namespace {
-
 // A polynomial: Bernstein coefficients times binomials, `width` limbs each, axis 2 fastest.
 struct Tri {
   size_t n[3];
   int width;
   std::vector<uint64_t> d;
-
   Tri(const size_t* sizes, int w) : width(w) {
     std::copy(sizes, sizes + 3, n);
     d.resize(n[0] * n[1] * n[2] * size_t(w));
@@ -273,7 +271,6 @@ class SignTest {
 };
 
 }  // namespace
-
 std::vector<Big> coefficients_of_n(const VPiece& piece, Units* units) {
   const uint64_t limbs = 2 + uint64_t(piece.bits) / 32, doubled = piece.times(2);
   units->add(2 + (piece.is_rational ? doubled : piece.count()) * doubled * limbs * limbs / 256);

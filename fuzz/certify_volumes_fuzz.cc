@@ -25,7 +25,7 @@ Verdict verdict_of(const std::vector<VVolume>& cells, std::uint8_t how) {
   for (const VVolume& cell : cells) model.entities.push_back({cell, {}, {}, {}});
   const std::string file = spline_json_bytes(model);
   CertifyOptions options;
-  options.max_cells = 400;
+  options.max_cells = 60;
   options.tolerance = 0.1;
   options.wants_regular = (how & 1) != 0;
   if ((how & 2) != 0) options.orientation = PatchOrientation::kAuto;

@@ -150,12 +150,14 @@ std::optional<VOverlap> find_collapsed_line(const VModel& model, std::uint32_t c
   Triple middle;
   for (std::size_t a = 0; a < 3; ++a) {
     const KnotAxis<Rational>& axis = model.cell(cell).axis(a);
-    const Rational quarter = (axis.domain_end() - axis.domain_begin()) / Rational(4);
-    // A point of the box that is inside of the domain, where there is one.
-    const Rational lo = std::max(box[a][0], axis.domain_begin() + quarter / Rational(1024));
-    const Rational hi = std::min(box[a][1], axis.domain_end() - quarter / Rational(1024));
-    if (hi < lo) return std::nullopt;
-    middle[a] = simplest_between(lo, hi);
+    // A simple point of the box, or else of the domain, that is inside of the domain.
+    const Rational length = axis.domain_end() - axis.domain_begin(),
+                   margin = length / Rational(4096);
+    const Rational lo = std::max(box[a][0], axis.domain_begin() + margin);
+    const Rational hi = std::min(box[a][1], axis.domain_end() - margin);
+    middle[a] = lo < hi    ? simplest_between(lo, hi)
+                : lo == hi ? lo
+                           : axis.domain_begin() + length / Rational(2);
   }
   VOverlap out;
   out.inside = place_at(model, cell, middle);
@@ -163,8 +165,7 @@ std::optional<VOverlap> find_collapsed_line(const VModel& model, std::uint32_t c
     const KnotAxis<Rational>& axis = model.cell(cell).axis(a);
     Triple other = middle;
     other[a] = (middle[a] + axis.domain_end()) / Rational(2);
-    if (box[a][0] < box[a][1] && middle[a] < box[a][1])
-      other[a] = (middle[a] + box[a][1]) / Rational(2);
+    if (middle[a] < box[a][1]) other[a] = (middle[a] + box[a][1]) / Rational(2);
     out.point = place_at(model, cell, other);
     if (is_overlap(model, out)) return out;
   }

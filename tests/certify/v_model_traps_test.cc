@@ -110,7 +110,10 @@ VVolume weighted_wedge(std::array<int, 3> weights) {
       });
 }
 TEST(VModelTraps, EqualPointsWithOtherWeightsAreNoEdge) {
-  expect_invalid({weighted_wedge({1, 4, 1})}, "patches-touching overlap");
+  // The face is a curve that no certificate of cells speaks of; it touches another one.
+  const Judged open = judged({weighted_wedge({1, 4, 1})});
+  EXPECT_EQ(open.verdict(), Verdict::kUndecided);
+  EXPECT_EQ(open.code, "contact");
   expect_valid({weighted_wedge({1, 1, 1})}, 0, 1);
 }
 

@@ -75,7 +75,6 @@ class ValidModels(InvalidTest):
                     with self.subTest(name, seed=seed, cell=cell, corner=corner):
                         self.says("P2", first.changed(parts=(cell, corner)))
 
-    # PROVES VMODEL-2.C
     def test_no_three_sides_with_one_curve_are_accepted(self):
         tried = 0
         for name, maps in models.valid_models().items():
@@ -88,7 +87,6 @@ class ValidModels(InvalidTest):
                         tried += 1
         self.assertGreater(tried, 500)
 
-    # PROVES VMODEL-2.O
     def test_no_point_and_no_box_is_an_overlap(self):
         """Points on a common face, in both cells; boxes with the rows that fit the cell."""
         rng = random.Random(5)
@@ -110,6 +108,7 @@ class ValidModels(InvalidTest):
 
 
 class LiesThatTwoConditionsReject(InvalidTest):
+    # PROVES VMODEL-2.O
     def test_a_point_on_a_face_of_its_box(self):
         for axis, part in itertools.product(range(3), ((0, 1, 0, 1), (0, 1, 1, 2))):
             parts = [WHOLE] * 3
@@ -158,6 +157,7 @@ class Links(InvalidTest):
                 border = all((there[n] + (1 if face == 3 else -1)) % 4 not in there for n, face in three)
                 self.says("ACCEPT" if border else "C3", Invalid(cells, "curve-nonmanifold", *[arc(n, face, 2) for n, face in three]))
 
+    # PROVES VMODEL-2.C
     def test_all_sets_of_quadrants(self):
         """Three arcs along the line are claimed truly if they are sides of border faces."""
         for chosen in range(1, 16):

@@ -69,6 +69,8 @@ std::string contradiction(const CertifyFilesOptions& o) {
   if (o.picture == "-") return "--picture needs a file name, not -";
   if (o.picture && o.input.files.size() > 1) return "--picture takes exactly one input";
   if (o.json == "-" && o.tsv == "-") return "--json and --tsv would both write standard output";
+  if (o.regular && o.collar)
+    return "--regular is about cells of volumes, and --collar about boundary faces alone";
   if (o.certificate == "-") return "--certificate needs a file name, not -";
   return "";
 }

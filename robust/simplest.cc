@@ -4,6 +4,7 @@
 namespace veritope {
 
 Rational simplest_between(const Rational& lo, const Rational& hi) {
+  if (lo == hi) return lo;
   const Rational floor(floor_divide(lo.numerator(), lo.denominator()));
   if (floor + Rational(1) < hi) return floor + Rational(1);
   const Rational from = lo - floor, to = hi - floor;  // 0 <= from < to <= 1

@@ -100,6 +100,24 @@ class Cells(Folder):
         self.assertEqual(Fraction(defect["parameters"][0][0]), 0)                              # u = 0 is the collapsed face
         self.assertEqual(self.certified(PATCHES / "overlap_nearest_valid.itd", "--regular")["verdict"], "VALID")
 
+    def test_a_volume_that_may_be_torn_is_not_covered(self):
+        """A bar with a knot as often as twice its degree 1, beside a bar of the same length: their faces are not glued."""
+        points = "".join("[%d %d %d]" % (x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1, 1, 2))
+        whole = "".join("[%d %d %d]" % (x, y, z) for z in (0, 1) for y in (1, 2) for x in (0, 2))
+        path = self.folder / "torn.itd"
+        path.write_text("[TRIVAR BSPLINE 4 2 2 2 2 2 E3 [KV 0 0 1 1 2 2] [KV 0 0 1 1] [KV 0 0 1 1] %s]\n[TRIVAR BEZIER 2 2 2 E3 %s]\n"
+                        % (points, whole))
+        one = self.certified(path)
+        self.assertEqual((one["verdict"], one["error"]["code"]), ("UNDECIDED", "not-covered"))
+        self.assertIn("entity 0: the inner knot 1 of u occurs more often than the degree", one["error"]["message"])
+
+    def test_a_determinant_that_is_zero_at_one_point(self):
+        """(u (1 - 2 w), v, w) folds at w = 1/2, where a whole plane has the determinant 0."""
+        points = "".join("[%d %d %d]" % (u * (1 - 2 * w), v, w) for w in (0, 1) for v in (0, 1) for u in (0, 1))
+        path = self.folder / "hour.itd"
+        path.write_text("[TRIVAR BEZIER 2 2 2 E3 %s]\n" % points)
+        self.expect_invalid(path, "folded")
+
     def test_orient_auto_reverses_what_keep_refuses(self):
         path = PATCHES / "left_handed_smallest.itd"
         text = run("certify", path).stdout

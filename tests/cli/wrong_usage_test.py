@@ -27,6 +27,7 @@ OPTIONS = [
     ("certify --quite a.off", 2, "certify has no option --quite; did you mean --quiet?"),
     ("certify --cert c a.off", 2, "did you mean --certificate?"),
     ("certify -x a.off", 2, "certify has no option -x\n"),
+    ("certify --regular --collar a.itd", 2, "--regular is about cells of volumes, and --collar about boundary faces alone"),
     ("certify --to stl a.off", 2, "certify has no option --to; it is one of convert"),
     ("info -q a.off", 2, "info has no option -q; it is one of certify and cover"),
     ("convert --what a.off out.stl", 2, "it is one of cover"),

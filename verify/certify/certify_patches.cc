@@ -7,11 +7,13 @@
 #include <utility>
 
 #include "io/splines/volumes.h"
+#include "splines/knot_insertion.h"
 #include "verify/certify/certify_kinds_internal.h"
 #include "verify/certify/collar_certifier.h"
 #include "verify/certify/entity_parts.h"
 #include "verify/certify/file_patches.h"
 #include "verify/certify/fold_certifier.h"
+#include "verify/certify/parameter_text.h"
 #include "verify/certify/patch_reasons.h"
 #include "verify/certify/refutation_finding.h"
 #include "verify/certify/stand_in.h"
@@ -312,15 +314,43 @@ Result<Certified> decided_stand_in(StandIn stand_in, CertifyOptions options) {
   return out;
 }
 
-// No certificate can speak of the cells, although their boundary faces are certified.
-Certified cells_not_covered() {
+// The first volume that may be torn at an inner knot, because that occurs more often than the degree.
+std::optional<Finding> torn_volume(const SplineModel& model) {
+  for (std::uint64_t e = 0; e < model.entities.size(); ++e) {
+    const auto* const volume = std::get_if<ExactVolume>(&model.entities[e].shape);
+    for (std::size_t a = 0; volume != nullptr && a < 3; ++a)
+      for (const Rational& t : volume->axis(a).knots) {
+        const KnotAxis<Rational>& axis = volume->axis(a);
+        if (multiplicity(axis, t) <= axis.degree || !(axis.domain_begin() < t) ||
+            !(t < axis.domain_end()))
+          continue;
+        Finding out =
+            not_covered(entity_text(e) + ": the inner knot " + number_text(t) + " of " + "uvw"[a] +
+                        " occurs more often than the degree, so that the volume may be "
+                        "torn there, and certificates about cells do not cover that");
+        out.place.parts.push_back({e, {}, {}, {}, true});
+        return out;
+      }
+  }
+  return std::nullopt;
+}
+
+// No certificate can speak of the cells, whatever is known of their boundary faces.
+Certified cells_not_covered(const SplineModel& model, bool is_boundary_valid) {
   Certified out;
   out.facts.emplace<PatchFacts>();
-  out.findings = {not_covered(
-      "certificates about cells cover no inner knot that occurs more often than the degree, and no "
-      "numbers as long as in this file; its boundary faces bound a solid (veritope convert --faces "
-      "writes them)")};
+  std::optional<Finding> torn = torn_volume(model);
+  out.findings = {torn ? std::move(*torn)
+                       : not_covered("the numbers of the volumes are longer than certificates "
+                                     "about cells may hold")};
+  if (is_boundary_valid)
+    out.findings.front().message +=
+        "; the boundary faces bound a solid (veritope convert --faces writes them)";
   return out;
+}
+// What refutes the boundary faces refutes the cells only if it does not depend on which faces are glued.
+bool refutes_cells(const Certified& faces) {
+  return faces.verdict == Verdict::kInvalid && faces.findings.front().code == "patches-crossing";
 }
 
 // A face that touches itself is wrong wherever it is split, if it is a curve or a point there.
@@ -381,7 +411,8 @@ Result<Certified> internal::certify_kind(const SplineFile& file, const CertifyOp
   if (cells) return with_boundary(std::move(*cells), std::move(**made), options);
   const bool is_about_cells = (*made)->is_of_volumes && !options.with_collar;
   Result<Certified> out = decided_stand_in(std::move(**made), options);
-  if (out && is_about_cells && out->verdict == Verdict::kValid) return cells_not_covered();
+  if (out && is_about_cells && out->verdict != Verdict::kUndecided && !refutes_cells(*out))
+    return cells_not_covered(file.model, out->verdict == Verdict::kValid);
   return out;
 }
 

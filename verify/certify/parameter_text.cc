@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verify/certify/parameter_text.h"
 
+#include <cstdio>
+
 #include "robust/binary64.h"
 
 namespace veritope {
@@ -13,7 +15,9 @@ constexpr std::size_t kMostDigits = 24;
 std::string number_text(const Rational& value) {
   std::string exact = value.to_string();
   if (exact.size() <= kMostDigits) return exact;
-  return "approximately " + std::to_string(nearest_double(value));
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", nearest_double(value));
+  return std::string("approximately ") + text;
 }
 std::string entity_text(std::uint64_t entity) { return "entity " + std::to_string(entity); }
 

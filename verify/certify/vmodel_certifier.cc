@@ -58,6 +58,7 @@ Finding finding_of(const VForbiddenCollapse& c) {
   using Kind = VForbiddenCollapse::Kind;
   const char* const what = c.kind == Kind::kPartOfFace   ? "a part of a face is collapsed"
                            : c.kind == Kind::kPartOfEdge ? "a part of an edge is collapsed"
+                           : c.face                      ? "a line inside of a face is collapsed"
                                                          : "a line inside of the cell is collapsed";
   Finding out = v_reason("not-certified", name_of_cell(c.cell) + ": " + what);
   if (!c.splits.empty())

@@ -115,8 +115,9 @@ Triple corner_parameters(const VVolume& cell, std::size_t corner) {
   return out;
 }
 
-// The parts that are named, each once: "edge u1v1 of cell 0 and edge u0v0 of cell 1".
-std::string parts_text(const char* what, const std::vector<CellPlace>& places) {
+// The number of parts that are named, each once, and their names: "edge u1v1 of cell 0 and edge u0v0 of cell 1".
+std::pair<std::size_t, std::string> parts_text(const char* what,
+                                               const std::vector<CellPlace>& places) {
   std::vector<std::string> names;
   for (const CellPlace& p : places) {
     std::string name = std::string(what) + " " + p.part + " of " + cell_text(p.cell);
@@ -126,7 +127,7 @@ std::string parts_text(const char* what, const std::vector<CellPlace>& places) {
   std::string out;
   for (std::size_t i = 0; i < names.size(); ++i)
     out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return out;
+  return {names.size(), std::move(out)};
 }
 
 }  // namespace
@@ -271,7 +272,8 @@ std::optional<VRefutation> VModelRefuter::crowded(const VCrowdedCurve& curve) co
   work.add_comparisons(faces, nullptr);
   work.add_cells_near(curve.middle);
   if (!work.fits()) return std::nullopt;
-  std::string message = parts_text("edge", places) + " are one curve at " +
+  const auto [count, edges] = parts_text("edge", places);
+  std::string message = edges + (count == 1 ? " passes a curve twice at " : " are one curve at ") +
                         text_of_point(curve.middle) +
                         ", where more than two faces that are not glued meet";
   return VRefutation{
@@ -300,7 +302,7 @@ std::optional<VRefutation> VModelRefuter::pinched(const VPinchedPoint& point) co
   work.add_comparisons(faces, &point.at);
   work.add_cells_near(point.at);
   if (!work.fits()) return std::nullopt;
-  std::string message = parts_text("corner", places) + " are one point, " +
+  std::string message = parts_text("corner", places).second + " are one point, " +
                         text_of_point(point.at) + ", at which the boundary meets itself";
   return VRefutation{v_defect("point-nonmanifold", std::move(message), std::move(places), point.at),
                      certificate::PinchedPoint{point.corners[0].cell,

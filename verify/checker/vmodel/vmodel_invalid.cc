@@ -152,6 +152,6 @@ std::string check_vmodel_invalid(const Statement& s, std::string model_text, con
   if (f.kind == kCurve) check_curve(f, &model);
   if (f.kind == kCorner) check_corner(f, &model);
   const uint64_t cell = has_point ? f.a.cell : f.kind == kCurve ? f.arcs[0].cell : f.cell;
-  return std::to_string(volumes.size()) + " cells, " + kNames[f.kind] + " at cell " +
-         std::to_string(cell);
+  return std::string(kNames[f.kind]) + " at cell " + std::to_string(cell) + " of " +
+         std::to_string(volumes.size());
 }

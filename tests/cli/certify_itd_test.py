@@ -287,7 +287,7 @@ class CertifyItd(Folder):
         torn = "[TRIVAR BSPLINE 4 2 2 2 2 2 E3 [KV 0 0 1 1 2 2] [KV 0 0 1 1] [KV 0 0 1 1] %s]" % "".join("[%d %d %d]" % p for p in net)
         one = self.certify(torn)
         self.assertEqual((one["verdict"], one["error"]["code"], one["by_boundary_faces"]), ("UNDECIDED", "not-covered", False))
-        self.assertIn("its boundary faces bound a solid", one["error"]["message"])
+        self.assertIn("the boundary faces bound a solid", one["error"]["message"])
 
     def test_cells_are_glued_across_inner_knots_of_one_of_them(self):
         """A bar cut by a knot beside one without it: the reading rule of faces does not glue them."""

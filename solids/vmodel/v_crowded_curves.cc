@@ -18,7 +18,7 @@ namespace veritope::internal {
 namespace {
 
 constexpr std::uint64_t kMostBitsOfEnds = 60;  // of arcs, in a knot span
-constexpr int kArcLevels = 6;
+constexpr int kArcLevels = 10;
 
 bool is_dyadic(const Rational& t) {
   const Integer& d = t.denominator();

@@ -56,7 +56,7 @@ TEST(RandomVModelsDiff, PlantedFoldsAreFoundAndNeverValid) {
     if (j.verdict() == Verdict::kUndecided) {
       ++undecided;
     } else {
-      EXPECT_EQ(j.code, "volume-folded");
+      EXPECT_EQ(j.code, "folded");
       EXPECT_TRUE(j.certified.findings.front().witness.fold);
     }
   });

@@ -279,14 +279,14 @@ class Refusals(FacesTest):
     def test_entities_that_are_no_volumes_in_space(self):
         cube = grids.Grid().volumes()
         face = grids.face_of(cube[0], 0, 0)
-        self.refused("entity 1: not a volume in space", grids.g2(cube + [face]), fmt="g2-faces")
-        self.refused("entity 0: not a volume in space", grids.mfem_patches([face]), fmt="mfem-faces")
+        self.refused("entity 1: not a volume with at least three coordinates", grids.g2(cube + [face]), fmt="g2-faces")
+        self.refused("entity 0: not a volume with at least three coordinates", grids.mfem_patches([face]), fmt="mfem-faces")
         self.refused("an entity is no volume", grids.vjson(cube + [face]), grids.vjson([face]), fmt="vjson-faces")
         self.refused("geometry other than volumes", grids.itd(cube) + grids.itd([face], "SURFACE"), fmt="itd-faces")
         self.refused("geometry other than surfaces", grids.itd(cube), fmt="itd")
         self.refused("no boundary face is left", grids.vjson([]), fmt="vjson-faces")
         plane = "700 1 0 0 2 0 " + "2 2 0 0 1 1 " * 3 + "1 2 " * 8
-        self.refused("entity 0: not a volume in space", plane, fmt="g2-faces")
+        self.refused("entity 0: not a volume with at least three coordinates", plane, fmt="g2-faces")
 
     def test_knots(self):
         for knots, word in (("0 1 2 3", "begin and end"), ("0 0 1 2", "begin and end"), ("0 1 2 2", "begin and end")):

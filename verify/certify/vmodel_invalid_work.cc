@@ -22,29 +22,9 @@ std::array<Rational, 3> corner_of_face(const VModel& model, VFaceNumber f, unsig
                         (f % 2) << axis | std::size_t{i} << p | std::size_t{j} << q);
 }
 
-// What has to be known of an interval of an axis once it is counted.
-struct CutInterval {
-  std::size_t first = 0;
-  std::uint64_t bits = 1;
-  bool is_whole = false;
-};
-
-// The units of a part with these axes: the products, and the coefficients; and the bits of these.
-struct PartUnits {
-  std::uint64_t units = 0, bits = 1;
-};
-PartUnits units_of_part(std::span<const std::uint64_t> sizes, std::span<const CutInterval> cuts,
-                        std::uint64_t bits) {
-  PartUnits out;
-  std::uint64_t m = 1, degrees = 0;
-  for (const std::uint64_t n : sizes) m *= n, degrees += n - 1;
-  for (std::size_t a = 0; a < sizes.size(); ++a) {
-    const std::uint64_t longer = sizes[a] * (sizes[a] - 1) * cuts[a].bits;
-    out.units += m * sizes[a] * (32 + (1 + longer / 128) * (1 + bits / 64)) / 32;
-    if (!cuts[a].is_whole) bits += longer / 2;
-  }
-  out.units += 2 + m * degrees * bits / 4096;
-  out.bits = bits;
+VInvalidWork::FaceCorners corners_of(const VModel& model, VFaceNumber f) {
+  VInvalidWork::FaceCorners out;
+  for (unsigned i = 0; i < 4; ++i) out[i] = corner_of_face(model, f, i & 1, i >> 1);
   return out;
 }
 
@@ -55,18 +35,21 @@ bool VInvalidWork::fits() const {
          units_ <= internal::kFreeVModelUnits + internal::kVModelUnitsOfByte * bytes_;
 }
 
-void VInvalidWork::add_interval(const VVolume& cell, std::size_t axis, const Ends& at) {
-  const std::uint64_t t = internal::interval_of(cell.axis(axis), at[0], at[1]).bits;
-  const auto p = static_cast<std::uint64_t>(cell.axis(axis).degree), cube = p * p * p;
-  if (t > internal::kMostBitsOfKnots) is_beyond_ = true;
-  units_ += 1 + cube * (64 + cube * t * t / 8192) / 32;
+void VInvalidWork::add_interval(const VVolume& cell, std::size_t axis, const Ends& at,
+                                bool is_compared) {
+  const auto piece = internal::interval_of(cell.axis(axis), at[0], at[1], true);
+  is_beyond_ = is_beyond_ || !piece;
+  if (!piece) return;
+  const int degree = cell.axis(axis).degree;
+  units_ += piece->units(degree);
+  if (is_compared) units_ += static_cast<std::uint64_t>(degree) * piece->bits * piece->bits / 1024;
 }
 
 void VInvalidWork::add_cut(const VVolume& cell, std::span<const std::size_t> axes,
                            const std::array<Ends, 3>& at, bool has_intervals,
                            bool has_determinant) {
   std::vector<std::uint64_t> sizes;
-  std::vector<CutInterval> cuts;
+  std::vector<internal::KnotPiece> cuts;
   std::array<std::size_t, 3> first{};  // of the axes that are not cut: a face or an edge
   Grid<3> local;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -75,27 +58,32 @@ void VInvalidWork::add_cut(const VVolume& cell, std::span<const std::size_t> axe
       first[a] = at[a][0].sign() == Sign::kZero ? 0 : cell.grid().size[a] - 1;
       continue;
     }
-    if (has_intervals) add_interval(cell, a, at[a]);
-    const internal::KnotPiece piece = internal::interval_of(cell.axis(a), at[a][0], at[a][1]);
-    first[a] = piece.first;
+    if (has_intervals) add_interval(cell, a, at[a], false);
+    const auto piece = internal::interval_of(cell.axis(a), at[a][0], at[a][1], true);
+    is_beyond_ = is_beyond_ || !piece;
+    if (!piece) return;
+    first[a] = piece->first;
     local.size[a] = static_cast<std::size_t>(cell.axis(a).degree) + 1;
     sizes.push_back(local.size[a]);
-    cuts.push_back({piece.first, piece.bits, piece.is_whole});
+    cuts.push_back(*piece);
   }
-  CommonBits bits(internal::kMostBitsOfPoints);
+  std::vector<Rational> numbers;
   for (std::size_t i = 0; i < local.count(); ++i) {
     auto index = local.index_of(i);
     for (std::size_t a = 0; a < 3; ++a) index[a] += first[a];
     for (int c = 0; c < cell.num_components(); ++c)
-      bits.add(cell.component(c)[cell.grid().at(index)]);
+      numbers.push_back(cell.component(c)[cell.grid().at(index)]);
+    if (!cell.is_rational()) numbers.emplace_back(1);
   }
-  if (bits.is_beyond()) is_beyond_ = true;
-  const PartUnits part = units_of_part(sizes, cuts, bits.bits());
-  units_ += part.units;
-  if (axes.size() < 3) return;
-  std::uint64_t c = 1, m = 1, m2 = 1;
+  const auto bits = internal::bits_of_points(numbers, true);
+  is_beyond_ = is_beyond_ || !bits;
+  if (!bits) return;
+  const internal::CutProducts part = internal::products_of(sizes, cuts, *bits);
+  std::uint64_t m = 1, m2 = 1, c = 1, degrees = 0;
   for (const std::uint64_t n : sizes)
-    c *= (cell.is_rational() ? 4 : 3) * (n - 1), m *= n, m2 *= 2 * n - 1;
+    c *= (cell.is_rational() ? 4 : 3) * (n - 1), m *= n, m2 *= 2 * n - 1, degrees += n - 1;
+  units_ += part.units + 2 + m * degrees * part.bits / 4096;
+  if (axes.size() < 3) return;
   if (c * part.bits > internal::kMostBitsOfPiece) is_beyond_ = true;
   const std::uint64_t limbs = 2 + part.bits / 32;
   if (has_determinant) units_ += 2 + (cell.is_rational() ? m2 : m) * m2 * limbs * limbs / 256;
@@ -133,7 +121,7 @@ void VInvalidWork::add_cells_near(const std::array<Rational, 3>& point) {
       knots[a] = internal::breaks_of(cell.axis(a));
       grid.size[a] = knots[a].size() - 1;
       for (std::size_t i = 0; i < grid.size[a]; ++i)
-        add_interval(cell, a, {knots[a][i], knots[a][i + 1]});
+        add_interval(cell, a, {knots[a][i], knots[a][i + 1]}, false);
     }
     for (std::size_t i = 0; i < grid.count() && fits(); ++i) {
       const auto span = grid.index_of(i);
@@ -148,27 +136,29 @@ void VInvalidWork::add_comparisons(std::span<const VFaceNumber> faces,
                                    const std::array<Rational, 3>* with) {
   std::vector<VFaceNumber> others;
   const auto has_corner = [&](VFaceNumber f) {
-    for (unsigned i = 0; i < 4; ++i)
-      if (corner_of_face(model_, f, i & 1, i >> 1) == *with) return true;
-    return false;
+    const FaceCorners all = corners_of(model_, f);
+    return std::find(all.begin(), all.end(), *with) != all.end();
   };
   for (VFaceNumber f = 0; f < model_.num_faces(); ++f)
     if (!model_.face(f).is_collapsed() && (with == nullptr || has_corner(f))) others.push_back(f);
   units_ += faces.size() * (with == nullptr ? model_.num_faces() : others.size());
-  for (const VFaceNumber f : faces)
+  for (const VFaceNumber f : faces) {
+    const FaceCorners of_f = corners_of(model_, f);
     for (const VFaceNumber g : others) {
       if (!fits()) return;
-      if (f != g) add_comparison(f, g);
+      if (f != g) add_comparison(f, of_f, g);
     }
+  }
 }
 
-void VInvalidWork::add_comparison(VFaceNumber f, VFaceNumber g) {
+void VInvalidWork::add_comparison(VFaceNumber f, const FaceCorners& of_f, VFaceNumber g) {
+  if (std::find(of_f.begin(), of_f.end(), corner_of_face(model_, g, 0, 0)) == of_f.end()) return;
+  const FaceCorners of_g = corners_of(model_, g);
   for (unsigned s = 0; s < 8; ++s) {
     bool fits_corners = true;
     for (unsigned i = 0; i < 4 && fits_corners; ++i) {
       const auto to = v_symmetry_image(s, {i & 1, i >> 1});
-      fits_corners =
-          corner_of_face(model_, f, i & 1, i >> 1) == corner_of_face(model_, g, to[0], to[1]);
+      fits_corners = of_f[i] == of_g[to[0] + 2 * to[1]];
     }
     if (!fits_corners) continue;
     // The breaks of both, brought to [0, 1] on the parameters of g.
@@ -214,11 +204,8 @@ void VInvalidWork::add_face_parts(VFaceNumber f,
     const KnotAxis<Rational>& axis = cell.axis(axes[k]);
     const Rational length = axis.domain_end() - axis.domain_begin();
     for (const Rational& t : breaks[k]) at[k].push_back(axis.domain_begin() + length * t);
-    for (std::size_t i = 0; i + 1 < at[k].size(); ++i) {
-      add_interval(cell, axes[k], {at[k][i], at[k][i + 1]});
-      const std::uint64_t t = internal::interval_of(axis, at[k][i], at[k][i + 1]).bits;
-      units_ += static_cast<std::uint64_t>(axis.degree) * t * t / 1024;
-    }
+    for (std::size_t i = 0; i + 1 < at[k].size(); ++i)
+      add_interval(cell, axes[k], {at[k][i], at[k][i + 1]}, true);
   }
   std::array<Ends, 3> part;
   part[across] = {Rational(static_cast<int>(f % 2)), Rational()};

@@ -15,6 +15,9 @@ namespace veritope {
 /// Adds up the page's units, with upper bounds for lengths of numbers that only cut pieces show.
 class VInvalidWork {
  public:
+  /// The points of the corners (0, 0), (1, 0), (0, 1), (1, 1) of a face.
+  using FaceCorners = std::array<std::array<Rational, 3>, 4>;
+
   /// @param bytes  of the model; those of the body come on top of what is allowed
   VInvalidWork(const VModel& model, std::uint64_t bytes) : model_(model), bytes_(bytes) {}
 
@@ -34,8 +37,9 @@ class VInvalidWork {
   void add_cut(const VVolume& cell, std::span<const std::size_t> axes,
                const std::array<std::array<Rational, 2>, 3>& at, bool has_intervals,
                bool has_determinant);
-  void add_interval(const VVolume& cell, std::size_t axis, const std::array<Rational, 2>& at);
-  void add_comparison(VFaceNumber f, VFaceNumber g);
+  void add_interval(const VVolume& cell, std::size_t axis, const std::array<Rational, 2>& at,
+                    bool is_compared);
+  void add_comparison(VFaceNumber f, const FaceCorners& of_f, VFaceNumber g);
   void add_face_parts(VFaceNumber f, const std::array<std::vector<Rational>, 2>& breaks);
 
   const VModel& model_;

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "robust/common_bits.h"
 #include "robust/integer.h"
 #include "solids/vmodel/piece_cutter.h"
 #include "verify/certify/vmodel_cut_internal.h"
@@ -15,8 +14,8 @@
 namespace veritope {
 namespace {
 
-using internal::kFreeVModelUnits, internal::kMostBitsOfKnots, internal::kMostBitsOfPiece,
-    internal::kMostBitsOfPoints, internal::kVModelUnitsOfByte;
+using internal::KnotPiece, internal::kFreeVModelUnits, internal::kMostBitsOfPiece,
+    internal::kVModelUnitsOfByte;
 
 Finding beyond_limits(std::size_t cell, const std::string& what) {
   Finding out;
@@ -26,30 +25,6 @@ Finding beyond_limits(std::size_t cell, const std::string& what) {
   return out;
 }
 
-// The numbers times their least common denominator, without a common factor; nothing if one of these, or it, has more
-// bits.
-std::optional<std::vector<Integer>> integers_of(const std::vector<Rational>& numbers,
-                                                std::uint64_t most) {
-  Integer denominator(1), factor;
-  for (const Rational& x : numbers) {
-    denominator = lcm(denominator, x.denominator());
-    if (denominator.bit_length() > most) return std::nullopt;
-  }
-  std::vector<Integer> out;
-  for (const Rational& x : numbers) {
-    out.push_back(x.numerator() * divide_exactly(denominator, x.denominator()));
-    if (out.back().bit_length() > most) return std::nullopt;
-    factor = gcd(factor, out.back());
-  }
-  if (factor.sign() == Sign::kPositive && factor != Integer(1))
-    for (Integer& x : out) x = divide_exactly(x, factor);
-  return out;
-}
-std::uint64_t longest(const std::vector<Integer>& numbers) {
-  std::uint64_t out = 1;
-  for (const Integer& x : numbers) out = std::max(out, x.bit_length());
-  return out;
-}
 std::uint64_t longest_without_factor(const BezierVolume<Integer>& piece) {
   std::uint64_t out = 0;
   Integer factor;
@@ -61,40 +36,6 @@ std::uint64_t longest_without_factor(const BezierVolume<Integer>& piece) {
   out = 1;
   for (const Integer& x : piece.coefficients())
     out = std::max(out, divide_exactly(x, factor).bit_length());
-  return out;
-}
-
-struct KnotPiece {
-  std::size_t first = 0;   // control point
-  std::uint64_t bits = 1;  // t of the page, or more
-  bool is_whole = false;   // its knots are the interval's ends: coefficients are control points
-};
-
-// Nothing if its knots are too long. A bound on their bits that is too long counts if is_bound.
-std::optional<KnotPiece> interval_of(const KnotAxis<Rational>& axis, const Rational& a,
-                                     const Rational& b, bool is_bound) {
-  const auto p = static_cast<std::size_t>(axis.degree);
-  std::size_t k = p;
-  while (axis.knots[k + 1] <= a) ++k;
-  KnotPiece out;
-  out.first = k - p;
-  std::vector<Rational> from_a;
-  out.is_whole = true;
-  for (std::size_t i = k - p + 1; i <= k + p; ++i) {
-    from_a.push_back(axis.knots[i] - a);
-    out.is_whole = out.is_whole && axis.knots[i] == (i <= k ? a : b);
-  }
-  from_a.push_back(b - a);
-  if (is_bound) {
-    CommonBits bits(kMostBitsOfKnots);
-    for (const Rational& x : from_a) bits.add(x);
-    if (bits.is_beyond()) return std::nullopt;
-    if (!out.is_whole) out.bits = bits.bits();
-    return out;
-  }
-  const auto integers = integers_of(from_a, kMostBitsOfKnots);
-  if (!integers) return std::nullopt;
-  out.bits = longest(*integers);
   return out;
 }
 
@@ -124,14 +65,14 @@ struct Shape {
 
 // The control points of a piece.
 std::vector<Rational> window_of(const VVolume& cell, const Shape& shape,
-                                const std::array<const KnotPiece*, 3>& at) {
+                                const std::array<KnotPiece, 3>& at) {
   const Grid<3> net = cell.grid();
   std::vector<Rational> out;
   for (std::size_t i = 0; i < shape.sizes[0]; ++i)
     for (std::size_t j = 0; j < shape.sizes[1]; ++j)
       for (std::size_t k = 0; k < shape.sizes[2]; ++k) {
         const std::size_t point =
-            ((at[0]->first + i) * net.size[1] + at[1]->first + j) * net.size[2] + at[2]->first + k;
+            ((at[0].first + i) * net.size[1] + at[1].first + j) * net.size[2] + at[2].first + k;
         for (int x = 0; x < cell.num_components(); ++x) out.push_back(cell.component(x)[point]);
       }
   return out;
@@ -145,17 +86,6 @@ VVolume with_weights(const VVolume& cell) {
     numbers.insert(numbers.end(), cell.component(x).begin(), cell.component(x).end());
   numbers.resize(numbers.size() / 3 * 4, Rational(1));
   return VVolume(cell.axes(), 4, true, std::move(numbers));
-}
-
-// Nothing if they are too long.
-std::optional<std::uint64_t> bits_of_points(const std::vector<Rational>& numbers, bool is_bound) {
-  if (!is_bound) {
-    const auto integers = integers_of(numbers, kMostBitsOfPoints);
-    return integers ? std::optional(longest(*integers)) : std::nullopt;
-  }
-  CommonBits bits(kMostBitsOfPoints);
-  for (const Rational& x : numbers) bits.add(x);
-  return bits.is_beyond() ? std::nullopt : std::optional(bits.bits());
 }
 
 const char* const kLongKnots = "its knots are longer than certificates may be about";
@@ -190,13 +120,12 @@ std::optional<Finding> VModelWork::add_cell(std::size_t number, bool is_bound) {
   std::array<std::vector<Rational>, 3> breaks;
   for (std::size_t a = 0; a < 3; ++a) {
     breaks[a] = model_.breaks(number, a);
-    const std::uint64_t cube = (shape.sizes[a] - 1) * (shape.sizes[a] - 1) * (shape.sizes[a] - 1);
     for (std::size_t i = 0; i + 1 < breaks[a].size(); ++i) {
-      const auto made = interval_of(cell.axis(a), breaks[a][i], breaks[a][i + 1], is_bound);
+      const auto made =
+          internal::interval_of(cell.axis(a), breaks[a][i], breaks[a][i + 1], is_bound);
       if (!made) return beyond_limits(number, kLongKnots);
       axes[a].push_back(*made);
-      if (auto f = add(1 + cube * (64 + cube * made->bits * made->bits / 8192) / 32, number))
-        return f;
+      if (auto f = add(made->units(cell.axis(a).degree), number)) return f;
     }
   }
   const PieceCutter cutter(cell, breaks);
@@ -204,19 +133,13 @@ std::optional<Finding> VModelWork::add_cell(std::size_t number, bool is_bound) {
   for (at[0] = 0; at[0] < axes[0].size(); ++at[0])
     for (at[1] = 0; at[1] < axes[1].size(); ++at[1])
       for (at[2] = 0; at[2] < axes[2].size(); ++at[2]) {
-        const std::array<const KnotPiece*, 3> window = {&axes[0][at[0]], &axes[1][at[1]],
-                                                        &axes[2][at[2]]};
-        const auto points = bits_of_points(window_of(cell, shape, window), is_bound);
+        const std::array<KnotPiece, 3> window = {axes[0][at[0]], axes[1][at[1]], axes[2][at[2]]};
+        const auto points = internal::bits_of_points(window_of(cell, shape, window), is_bound);
         if (!points) return beyond_limits(number, kLongPoints);
-        std::uint64_t bits = *points, units = 0, longest_possible = *points;
-        for (std::size_t a = 0; a < 3; ++a) {
-          const std::uint64_t longer = shape.sizes[a] * (shape.sizes[a] - 1) * window[a]->bits;
-          units += shape.m * shape.sizes[a] * (32 + (1 + longer / 128) * (1 + bits / 64)) / 32;
-          bits += longer / 2;
-          if (!window[a]->is_whole) longest_possible += longer / 2;
-        }
-        if (auto finding = add(units, number)) return finding;
-        bits = is_bound ? longest_possible : longest_without_factor(cutter.exact(at));
+        const internal::CutProducts products = internal::products_of(shape.sizes, window, *points);
+        if (auto finding = add(products.units, number)) return finding;
+        const std::uint64_t bits =
+            is_bound ? products.bits : longest_without_factor(cutter.exact(at));
         if (shape.c * bits > kMostBitsOfPiece) return beyond_limits(number, kLongPiece);
         bits_.push_back(static_cast<std::uint32_t>(bits));
         if (auto finding = add(

@@ -20,7 +20,7 @@
 #include "robust/base/random.h"
 #include "solids/patches/patch_sources.h"
 #include "solids/patches/pn_mesh.h"
-#include "solids/pieces/box_hierarchy.h"
+#include "solids/base/box_hierarchy.h"
 
 namespace veritope::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/pieces/box_hierarchy.h: a tree over many boxes of doubles.
+// solids/base/box_hierarchy.h: a tree over many boxes of doubles.
 #pragma once
 #include <cstddef>
 #include <cstdint>

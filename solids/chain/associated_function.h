@@ -7,7 +7,7 @@
 
 #include "robust/integer.h"
 #include "solids/chain/chain.h"
-#include "solids/pieces/box_hierarchy.h"
+#include "solids/base/box_hierarchy.h"
 
 namespace veritope {
 namespace internal {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "solids/pieces/box_hierarchy.h"
+#include "solids/base/box_hierarchy.h"
 
 namespace veritope {
 namespace {

@@ -8,7 +8,7 @@
 #include "solids/chain/literal_conditions_internal.h"
 #include "solids/chain/literal_hypotheses_internal.h"
 #include "solids/chain/local_cones_internal.h"
-#include "solids/pieces/box_hierarchy.h"
+#include "solids/base/box_hierarchy.h"
 
 namespace veritope {
 namespace {

@@ -7,7 +7,7 @@
 #include "robust/base/fp_guard.h"
 #include "solids/chain/patch_cell.h"
 #include "solids/classify/patch_rays.h"
-#include "solids/pieces/box_hierarchy.h"
+#include "solids/base/box_hierarchy.h"
 
 namespace veritope {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solids/chain/plane_arc.h"
-#include "solids/pieces/box_hierarchy.h"
+#include "solids/base/box_hierarchy.h"
 
 namespace veritope {
 

@@ -8,7 +8,7 @@
 #include "solids/classify/axis_ray.h"
 #include "solids/classify/ray_point.h"
 #include "solids/classify/tensor_form.h"
-#include "solids/pieces/box_hierarchy.h"
+#include "solids/base/box_hierarchy.h"
 
 namespace veritope {
 

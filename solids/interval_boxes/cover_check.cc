@@ -3,7 +3,7 @@
 
 #include "solids/interval_boxes/box_sets_internal.h"
 #include "solids/interval_boxes/cover_check_internal.h"
-#include "solids/pieces/box_hierarchy.h"
+#include "solids/base/box_hierarchy.h"
 
 namespace veritope {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "solids/interval_boxes/box_sets_internal.h"
 #include "solids/interval_boxes/conditions.h"
-#include "solids/pieces/box_hierarchy.h"
+#include "solids/base/box_hierarchy.h"
 
 namespace veritope {
 namespace {

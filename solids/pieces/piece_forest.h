@@ -15,7 +15,7 @@
 #include "robust/base/result.h"
 #include "robust/base/sign.h"
 #include "solids/patches/patch_complex.h"
-#include "solids/pieces/box_hierarchy.h"
+#include "solids/base/box_hierarchy.h"
 #include "solids/pieces/surface_form.h"
 
 namespace veritope {

@@ -16,11 +16,8 @@ std::array<std::size_t, 2> spans_of(const Patch& patch) {
 
 }  // namespace
 
-BorderPatches::BorderPatches(const VModel& model, VFaces faces, PatchComplex complex)
-    : model_(&model),
-      faces_(std::move(faces)),
-      complex_(std::move(complex)),
-      is_repeated_(model.num_faces()) {
+BorderPatches::BorderPatches(const VModel& model, const VFaces& faces, const PatchComplex& complex)
+    : model_(&model), faces_(&faces), complex_(&complex), is_repeated_(model.num_faces()) {
   for (const auto& pair : model.copies())
     for (const VFaceNumber f : pair) is_repeated_[f] = true;
   for (const auto& crowd : model.crowds())
@@ -28,21 +25,21 @@ BorderPatches::BorderPatches(const VModel& model, VFaces faces, PatchComplex com
 }
 
 VFaceNumber BorderPatches::face_of(std::uint32_t patch) const {
-  return faces_.faces[complex_.patch(patch).origin().number];
+  return faces_->faces[complex_->patch(patch).origin().number];
 }
 
 std::optional<CellSide> BorderPatches::cell_side(PatchSide side) const {
-  const Patch& patch = complex_.patch(side.patch);
+  const Patch& patch = complex_->patch(side.patch);
   const std::size_t n = patch.origin().number, k = side.side % 2;  // u along sides 0 and 2
   const auto span = spans_of(patch);
-  const auto& breaks = faces_.breaks[n];
+  const auto& breaks = faces_->breaks[n];
   // Side 0: v = 0; 1: u = 1; 2: v = 1, against u; 3: u = 0, against v.
   const std::size_t end = side.side == 1 || side.side == 2 ? 1 : 0;
   if (span[1 - k] != (end == 0 ? 0 : breaks[1 - k].size() - 2)) return std::nullopt;
   CellSide out;
-  out.cell = faces_.faces[n] / 6;
-  out.face = faces_.faces[n] % 6;
-  out.axis = faces_.axes[n][k];
+  out.cell = faces_->faces[n] / 6;
+  out.face = faces_->faces[n] % 6;
+  out.axis = faces_->axes[n][k];
   out.side = 2 * (v_face_axes(out.face / 2)[0] == out.axis ? 0 : 1) + end;
   out.ends = {breaks[k][span[k]], breaks[k][span[k] + 1]};
   if (side.side >= 2) std::swap(out.ends[0], out.ends[1]);
@@ -57,50 +54,31 @@ bool BorderPatches::is_spoilt(const std::array<Rational, 3>& point) const {
 }
 
 std::optional<std::size_t> BorderPatches::cell_corner(PatchCorner corner) const {
-  const Patch& patch = complex_.patch(corner.patch);
+  const Patch& patch = complex_->patch(corner.patch);
   const std::size_t n = patch.origin().number;
   const auto span = spans_of(patch);
   static constexpr std::array<std::array<std::size_t, 2>, 4> kEnds = {
       {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-  const std::size_t face = faces_.faces[n] % 6;
+  const std::size_t face = faces_->faces[n] % 6;
   std::size_t out = face % 2 << face / 2;
   for (std::size_t k = 0; k < 2; ++k) {
     const std::size_t end = kEnds[corner.corner][k];
-    if (span[k] != (end == 0 ? 0 : faces_.breaks[n][k].size() - 2)) return std::nullopt;
-    out |= end << faces_.axes[n][k];
+    if (span[k] != (end == 0 ? 0 : faces_->breaks[n][k].size() - 2)) return std::nullopt;
+    out |= end << faces_->axes[n][k];
   }
   return out;
 }
 
 }  // namespace internal
 
-class VBorder::Impl {
- public:
-  Impl(const VModel& model, VFaces faces, PatchComplex complex)
-      : patches(model, std::move(faces), std::move(complex)) {}
-  internal::BorderPatches patches;
-};
-
-VBorder::VBorder(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-VBorder::VBorder(VBorder&&) noexcept = default;
-VBorder& VBorder::operator=(VBorder&&) noexcept = default;
-VBorder::~VBorder() = default;
-
-std::optional<VBorder> VBorder::make(const VModel& model) {
+std::optional<VBorder> make_border(const VModel& model) {
   VFaces faces = border_of(model);
   if (faces.faces.empty()) return std::nullopt;
   Result<std::vector<Patch>> patches = patches_of(faces);
   if (!patches) return std::nullopt;
   Result<PatchComplex> complex = make_patch_complex(std::move(patches).value());
   if (!complex) return std::nullopt;
-  return VBorder(std::make_unique<Impl>(model, std::move(faces), std::move(complex).value()));
-}
-
-std::optional<VCrowdedCurve> VBorder::crowded_curve() const {
-  return internal::find_crowded_curve(impl_->patches);
-}
-std::optional<VPinchedPoint> VBorder::pinched_point() const {
-  return internal::find_pinched_point(impl_->patches);
+  return VBorder{std::move(faces), std::move(complex).value()};
 }
 
 bool is_near(const VVolume& cell, const std::array<Rational, 3>& point) {

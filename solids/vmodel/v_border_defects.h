@@ -6,9 +6,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 
+#include "solids/patches/patch_complex.h"
+#include "solids/vmodel/v_faces.h"
 #include "solids/vmodel/v_model.h"
 
 namespace veritope {
@@ -36,26 +37,21 @@ struct VPinchedPoint {
 };
 
 /// The faces that are neither glued nor collapsed, as patches glued along their sides.
-class VBorder {
- public:
-  /// Nothing for a model without border faces, or with more patches than a complex may have.
-  static std::optional<VBorder> make(const VModel& model);
-  VBorder(VBorder&&) noexcept;
-  VBorder& operator=(VBorder&&) noexcept;
-  ~VBorder();
-
-  /// Equal sides are found in any degree; partly equal ones where a vertex lies on a side at a simple parameter.
-  /// Nothing where a face equals others that are not glued to it, or where a cell is collapsed in part near the place.
-  /// @cost near-linear in the sides
-  std::optional<VCrowdedCurve> crowded_curve() const;
-  /// Nothing unless all sides fit. As above.
-  std::optional<VPinchedPoint> pinched_point() const;
-
- private:
-  class Impl;
-  explicit VBorder(std::unique_ptr<Impl> impl);
-  std::unique_ptr<Impl> impl_;
+struct VBorder {
+  VFaces faces;
+  PatchComplex complex;
 };
+/// Nothing for a model without border faces, or with more patches than a complex may have.
+std::optional<VBorder> make_border(const VModel& model);
+
+/// Equal sides are found in any degree; partly equal ones where a vertex lies on a side at a simple parameter. Nothing
+/// where a face equals others that are not glued to it, or where a cell is collapsed in part near the place.
+/// REQUIRES the border of the model, and the complex of its patches. @cost near-linear in the sides
+std::optional<VCrowdedCurve> find_crowded_curve(const VModel& model, const VFaces& border,
+                                                const PatchComplex& complex);
+/// Nothing unless all sides fit. As above.
+std::optional<VPinchedPoint> find_pinched_point(const VModel& model, const VFaces& border,
+                                                const PatchComplex& complex);
 
 /// Whether the point lies in the closed box around the control points of the cell.
 bool is_near(const VVolume& cell, const std::array<Rational, 3>& point);

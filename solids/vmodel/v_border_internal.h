@@ -7,9 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "solids/patches/patch_complex.h"
 #include "solids/vmodel/v_border_defects.h"
-#include "solids/vmodel/v_faces.h"
 
 namespace veritope::internal {
 
@@ -27,11 +25,12 @@ struct CellSide {
 
 class BorderPatches {
  public:
-  BorderPatches(const VModel& model, VFaces faces, PatchComplex complex);
+  /// All three are kept by reference.
+  BorderPatches(const VModel& model, const VFaces& faces, const PatchComplex& complex);
 
   const VModel& model() const { return *model_; }
-  const VFaces& faces() const { return faces_; }
-  const PatchComplex& complex() const { return complex_; }
+  const VFaces& faces() const { return *faces_; }
+  const PatchComplex& complex() const { return *complex_; }
   /// The face of the model on which a patch lies.
   VFaceNumber face_of(std::uint32_t patch) const;
   /// Nothing for a side inside of its face.
@@ -45,13 +44,10 @@ class BorderPatches {
 
  private:
   const VModel* model_;
-  VFaces faces_;
-  PatchComplex complex_;
+  const VFaces* faces_;
+  const PatchComplex* complex_;
   std::vector<bool> is_repeated_;
 };
-
-std::optional<VCrowdedCurve> find_crowded_curve(const BorderPatches& border);
-std::optional<VPinchedPoint> find_pinched_point(const BorderPatches& border);
 
 /// The arcs of three parts that run along the same curve, cut to a piece on which all have dyadic ends.
 std::optional<VCrowdedCurve> crowded_by(const BorderPatches& border,

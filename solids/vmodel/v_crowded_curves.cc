@@ -7,14 +7,15 @@
 
 #include "robust/base/box3d.h"
 #include "robust/simplest.h"
-#include "solids/vmodel/box_index_internal.h"
+#include "solids/base/box_hierarchy.h"
 #include "solids/vmodel/v_border_internal.h"
 #include "splines/bezier_domain.h"
 #include "splines/convert.h"
 #include "splines/de_boor.h"
 #include "splines/knot_insertion.h"
 
-namespace veritope::internal {
+namespace veritope {
+namespace internal {
 namespace {
 
 constexpr std::uint64_t kMostBitsOfEnds = 60;  // of arcs, in a knot span
@@ -155,7 +156,7 @@ class PartSearch {
       for (std::uint32_t end = 0; end < 2; ++end)
         at_vertex_[vertex_of(side, end)].push_back({e, end});
     }
-    index_ = BoxIndex(std::move(boxes));
+    boxes_ = BoxHierarchy(boxes);
   }
 
   std::optional<VCrowdedCurve> run() const {
@@ -199,18 +200,22 @@ class PartSearch {
   std::optional<VCrowdedCurve> at(std::uint32_t vertex, const std::array<Rational, 3>& p) const {
     const Point3d near = {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
     std::optional<VCrowdedCurve> found;
-    index_.each_at(near, [&](std::uint32_t number) {
-      const std::uint32_t e = edges_[number];
-      const PatchSide side = complex_.sides(e).front();
-      if (vertex_of(side, 0) == vertex || vertex_of(side, 1) == vertex) return false;
-      const auto t = parameter_on(curve_of(e), p);
-      if (!t || !(Rational(0) < *t) || !(*t < Rational(1))) return false;
-      for (const EdgeEnd& other : at_vertex_[vertex])
-        for (const bool is_up : {false, true})
-          if ((found = along(e, *t, is_up, other))) return true;
-      return false;
-    });
+    const Box3d point{near, near};
+    boxes_.visit([&](const Box3d& b) { return !found && is_inside(point, b); },
+                 [&](std::uint32_t number) { found = on_edge(edges_[number], vertex, p); });
     return found;
+  }
+  // The vertex, which is at p, inside of a side that does not end there.
+  std::optional<VCrowdedCurve> on_edge(std::uint32_t e, std::uint32_t vertex,
+                                       const std::array<Rational, 3>& p) const {
+    const PatchSide side = complex_.sides(e).front();
+    if (vertex_of(side, 0) == vertex || vertex_of(side, 1) == vertex) return std::nullopt;
+    const auto t = parameter_on(curve_of(e), p);
+    if (!t || !(Rational(0) < *t) || !(*t < Rational(1))) return std::nullopt;
+    for (const EdgeEnd& other : at_vertex_[vertex])
+      for (const bool is_up : {false, true})
+        if (auto found = along(e, *t, is_up, other)) return found;
+    return std::nullopt;
   }
 
   // The side of edge e from t on, upward or downward, and another one from its end.
@@ -306,14 +311,18 @@ class PartSearch {
   const PatchComplex& complex_;
   std::vector<std::uint32_t> edges_;
   std::vector<std::vector<EdgeEnd>> at_vertex_;
-  BoxIndex index_;
+  BoxHierarchy boxes_;
 };
 
 }  // namespace
 
-std::optional<VCrowdedCurve> find_crowded_curve(const BorderPatches& border) {
-  if (auto found = among_equal_sides(border)) return found;
-  return PartSearch(border).run();
+}  // namespace internal
+
+std::optional<VCrowdedCurve> find_crowded_curve(const VModel& model, const VFaces& faces,
+                                                const PatchComplex& complex) {
+  const internal::BorderPatches border(model, faces, complex);
+  if (auto found = internal::among_equal_sides(border)) return found;
+  return internal::PartSearch(border).run();
 }
 
-}  // namespace veritope::internal
+}  // namespace veritope

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "robust/base/box3d.h"
-#include "solids/vmodel/box_index_internal.h"
+#include "solids/base/box_hierarchy.h"
 #include "solids/vmodel/v_overlap.h"
 #include "splines/convert.h"
 #include "splines/knot_insertion.h"
@@ -172,7 +172,7 @@ class OverlapSearch {
     for (std::uint32_t c = 0; c < model.num_cells(); ++c) add_spans(c);
     std::vector<Box3d> hulls;
     for (const RoundedSpan& s : spans_) hulls.push_back(s.hull);
-    index_ = internal::BoxIndex(std::move(hulls));
+    hulls_ = BoxHierarchy(hulls);
   }
 
   std::optional<VOverlap> run() {
@@ -229,11 +229,13 @@ class OverlapSearch {
                     nearest_double(inside.at[2])};
     const Vec3 q = value_and_slopes(own->map, t).at;
     std::optional<VOverlap> found;
-    index_.each_at(q, [&](std::uint32_t number) {
+    const Box3d point{q, q};
+    const auto keep = [&](const Box3d& b) {
+      return !found && solves_ < options_.max_solves && is_inside(point, b);
+    };
+    hulls_.visit(keep, [&](std::uint32_t number) {
       const RoundedSpan& s = spans_[number];
-      if (&s == own && !thoroughly) return false;
-      found = solve_on(inside, t, q, s, &s == own, thoroughly);
-      return found.has_value() || solves_ >= options_.max_solves;
+      if (&s != own || thoroughly) found = solve_on(inside, t, q, s, &s == own, thoroughly);
     });
     return found;
   }
@@ -322,7 +324,7 @@ class OverlapSearch {
   const VOverlapOptions& options_;
   std::vector<RoundedSpan> spans_;
   std::vector<std::size_t> first_span_;  // of each cell
-  internal::BoxIndex index_;
+  BoxHierarchy hulls_;
   std::size_t solves_ = 0;
 };
 

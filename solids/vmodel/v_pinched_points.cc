@@ -10,8 +10,10 @@
 #include "solids/vmodel/v_edge_internal.h"
 #include "solids/vmodel/v_parts.h"
 
-namespace veritope::internal {
+namespace veritope {
 namespace {
+
+using internal::BorderPatches;
 
 struct Corner {
   std::uint64_t hash = 0;
@@ -29,8 +31,8 @@ std::vector<Corner> cell_corners(const BorderPatches& border) {
       if (!corner) continue;
       const VFaceNumber face = border.face_of(p);
       const VVolume& cell = border.model().cell(face / 6);
-      out.push_back({point_hash(v_corner_point(cell, *corner)), face / 6, complex.vertex({p, c}),
-                     *corner, face});
+      out.push_back({internal::point_hash(v_corner_point(cell, *corner)), face / 6,
+                     complex.vertex({p, c}), *corner, face});
     }
   std::sort(out.begin(), out.end(), [](const Corner& a, const Corner& b) {
     return std::pair(a.hash, a.vertex) < std::pair(b.hash, b.vertex);
@@ -40,7 +42,9 @@ std::vector<Corner> cell_corners(const BorderPatches& border) {
 
 }  // namespace
 
-std::optional<VPinchedPoint> find_pinched_point(const BorderPatches& border) {
+std::optional<VPinchedPoint> find_pinched_point(const VModel& model, const VFaces& faces,
+                                                const PatchComplex& complex) {
+  const BorderPatches border(model, faces, complex);
   if (!border.complex().is_closed_oriented_surface()) return std::nullopt;
   const std::vector<Corner> corners = cell_corners(border);
   const auto point = [&](const Corner& c) {
@@ -66,4 +70,4 @@ std::optional<VPinchedPoint> find_pinched_point(const BorderPatches& border) {
   return std::nullopt;
 }
 
-}  // namespace veritope::internal
+}  // namespace veritope

@@ -16,10 +16,12 @@ VModel bordered(std::vector<VVolume> cells) {
   return make_v_model(std::move(cells), VOrientation::kAuto).value();
 }
 std::optional<VCrowdedCurve> curve_in(const VModel& model) {
-  return VBorder::make(model).value().crowded_curve();
+  const VBorder border = make_border(model).value();
+  return find_crowded_curve(model, border.faces, border.complex);
 }
 std::optional<VPinchedPoint> point_in(const VModel& model) {
-  return VBorder::make(model).value().pinched_point();
+  const VBorder border = make_border(model).value();
+  return find_pinched_point(model, border.faces, border.complex);
 }
 
 TEST(VBorder, CubesThatShareAnEdgeHaveACrowdedCurve) {

@@ -89,30 +89,17 @@ Finding finding_of(const JacobianFinding& f) {
   return out;
 }
 
-// A place strictly inside of a piece between knots.
-FoldPlace fold_place(const VVolume& cell, const JacobianPlace& place) {
-  FoldPlace out;
-  for (std::size_t a = 0; a < 3; ++a) {
-    std::vector<Rational> knots(cell.axis(a).knots.begin(), cell.axis(a).knots.end());
-    knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
-    const auto after = std::upper_bound(knots.begin() + 1, knots.end() - 1, place.at[a]);
-    out.piece[a] = static_cast<std::uint64_t>(after - knots.begin()) - 1;
-    out.at[a] = (place.at[a] - *(after - 1)) / (*after - *(after - 1));
-  }
-  return out;
-}
-
 std::vector<VolumeFold> folds_among(const VModel& model,
                                     const std::vector<JacobianFinding>& findings) {
   std::vector<VolumeFold> out;
   for (const JacobianFinding& f : findings) {
     if (f.kind != JacobianFinding::Kind::kFolded || f.places.size() != 2) continue;
-    const VVolume& cell = model.cell(f.cell);
     VolumeFold& fold = out.emplace_back();
     fold.entity = f.cell;
     const bool is_first_positive = f.places[0].sign == Sign::kPositive;
     for (std::size_t i = 0; i < 2; ++i)
-      fold.places[i] = fold_place(cell, f.places[is_first_positive ? i : 1 - i]);
+      fold.places[i] =
+          fold_place_of(place_at(model, f.cell, f.places[is_first_positive ? i : 1 - i].at));
   }
   return out;
 }
@@ -174,8 +161,13 @@ class VModelCertification {
     return answer();
   }
   // INVALID if something else is proved wrong than what keeps the model from being VALID.
-  VModelAnswer refuted_or(Finding finding, const VOverlapOptions& overlaps = {}) {
-    if (auto proof = border_defect()) return invalid(std::move(*proof));
+  VModelAnswer refuted_or(Finding finding) {
+    if (const std::optional<VBorder> border = make_border(*model_))
+      if (auto proof = border_defect(border->faces, border->complex))
+        return invalid(std::move(*proof));
+    return overlapping_or(std::move(finding), {});
+  }
+  VModelAnswer overlapping_or(Finding finding, const VOverlapOptions& overlaps) {
     if (const auto overlap = find_overlap(*model_, overlaps))
       if (auto proof = refuter().overlap(*overlap)) return invalid(std::move(*proof));
     return undecided(std::move(finding));
@@ -188,12 +180,12 @@ class VModelCertification {
     const auto overlap = find_overlap(*model_, few);
     return overlap ? refuter().overlap(*overlap) : std::nullopt;
   }
-  std::optional<VRefutation> border_defect() const {
-    const std::optional<VBorder> border = VBorder::make(*model_);
-    if (!border) return std::nullopt;
-    if (const auto curve = border->crowded_curve())
+  std::optional<VRefutation> border_defect(const VFaces& border,
+                                           const PatchComplex& complex) const {
+    if (const auto curve = find_crowded_curve(*model_, border, complex))
       if (auto proof = refuter().crowded(*curve)) return proof;
-    if (const auto point = border->pinched_point()) return refuter().pinched(*point);
+    if (const auto point = find_pinched_point(*model_, border, complex))
+      return refuter().pinched(*point);
     return std::nullopt;
   }
   std::optional<VRefutation> collapsed_inside(
@@ -246,15 +238,15 @@ class VModelCertification {
   }
 
   VModelAnswer decide_boundary(const VDeterminants& determinants) {
-    VFaces border = border_of(*model_);
+    const VFaces border = border_of(*model_);
     if (border.faces.empty())
       return undecided(
           v_reason("not-certified", "every face is glued or collapsed: there is no boundary"));
     Result<FilePatches> patches = patches_of_border(border);
     if (!patches) return undecided(v_reason("not-covered", text_of(finding_of(patches.error()))));
-    if (auto proof = border_defect()) return invalid(std::move(*proof));
-    if (auto proof = obvious_overlap()) return invalid(std::move(*proof));
     FilePatches& p = *patches;
+    if (auto proof = border_defect(border, *p.complex)) return invalid(std::move(*proof));
+    if (auto proof = obvious_overlap()) return invalid(std::move(*proof));
     facts_.patches = p.complex->patches().size();
     facts_.edges = p.complex->num_edges();
     facts_.vertices = p.complex->num_vertices();
@@ -268,7 +260,7 @@ class VModelCertification {
     const FileDecision decided = decide_file_patches(p, how);
     facts_.boxes_tried = decided.decision.boxes_tried;
     if (!decided.decision.is_valid)
-      return refuted_or(open_finding(p, decided.decision), near_crossing(p, decided.decision));
+      return overlapping_or(open_finding(p, decided.decision), near_crossing(p, decided.decision));
     facts_.vmodel->singular = singularities_of(*model_, determinants);
     if (options_.wants_regular && !facts_.vmodel->singular.empty()) return not_regular();
     conclude_valid(p, decided, determinants);
@@ -331,7 +323,7 @@ class VModelCertification {
     }
   }
 
-  Result<FilePatches> patches_of_border(VFaces& border) const {
+  Result<FilePatches> patches_of_border(const VFaces& border) const {
     Result<std::vector<Patch>> pieces = patches_of(border);
     if (!pieces) return pieces.error();
     FilePatches out;
@@ -342,7 +334,7 @@ class VModelCertification {
       const auto& across = model_->cell(f / 6).axis(axis);
       StarBoxEntity entity;
       entity.first_patch = first;
-      entity.breaks = std::move(border.breaks[i]);
+      entity.breaks = border.breaks[i];
       entity.face = VolumeFace{f / 6, axis, end, border.axes[i],
                                end == 0 ? across.domain_begin() : across.domain_end()};
       first +=

@@ -12,7 +12,6 @@
 #include "splines/knot_insertion.h"
 #include "verify/certify/parameter_text.h"
 #include "verify/certify/vmodel_invalid_work.h"
-#include "verify/certify/volume_fold.h"
 
 namespace veritope {
 namespace {
@@ -67,12 +66,6 @@ std::optional<certificate::UnitInterval> short_interval(const Range& at) {
     if (scaled.denominator() != Integer(1)) return std::nullopt;
     (e == 0 ? out.low : out.high) = scaled.numerator().low_bits();
   }
-  return out;
-}
-
-FoldPlace fold_place_of(const VPlace& place) {
-  FoldPlace out;
-  for (std::size_t a = 0; a < 3; ++a) out.piece[a] = place.span[a], out.at[a] = place.at[a];
   return out;
 }
 
@@ -131,6 +124,12 @@ std::pair<std::size_t, std::string> parts_text(const char* what,
 }
 
 }  // namespace
+
+FoldPlace fold_place_of(const VPlace& place) {
+  FoldPlace out;
+  for (std::size_t a = 0; a < 3; ++a) out.piece[a] = place.span[a], out.at[a] = place.at[a];
+  return out;
+}
 
 std::optional<certificate::CellPoint> VModelRefuter::certified_point(const VPlace& place) const {
   const auto& volume = std::get<ExactVolume>(file_.model.entities[place.cell].shape);

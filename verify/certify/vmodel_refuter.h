@@ -10,6 +10,7 @@
 #include "solids/vmodel/v_border_defects.h"
 #include "solids/vmodel/v_overlap.h"
 #include "verify/certify/vmodel_facts.h"
+#include "verify/certify/volume_fold.h"
 #include "verify/format/vmodel_invalid_certificate.h"
 
 namespace veritope {
@@ -20,6 +21,9 @@ struct VRefutation {
   Finding finding;
   certificate::VModelInvalidFinding certified;
 };
+
+/// Places in knot spans, as certificates of folds name them.
+FoldPlace fold_place_of(const VPlace& place);
 
 /// Each function returns nothing where there is no proof, or where it needs longer numbers or more work than checkers
 /// accept.

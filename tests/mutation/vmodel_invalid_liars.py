@@ -9,10 +9,8 @@ import functools
 import itertools
 import math
 import sys
-import time
 from fractions import Fraction as Q
 
-import attacks
 import patch_attacks
 import patch_solids                                       # noqa: F401  the way to the forges
 import vmodel_invalid_lies as lies
@@ -369,28 +367,8 @@ class Run(vmodel_liars.Run):
 
 
 def missing_conditions(alone):
-    return attacks.missing_conditions(alone, CONDITIONS, {})
-
-
-def figures(table, alone, honest_found, failures, options, seconds):
-    yield "vmodel_invalid_attacks", sum(table.values()), options.count
-    yield "vmodel_invalid_attacks_stopped_by_S_or_B1", sum(n for (_, c), n in table.items() if c in attacks.UNCOUNTED), None
-    yield "vmodel_invalid_attack_strategies", len({n for n, _ in table}), None
-    yield "vmodel_invalid_attacks_accepted", sum(n for (_, c), n in table.items() if c == "ACCEPT"), 0
-    yield "vmodel_invalid_checker_disagreements", sum("disagree" in f for f in failures), 0
-    yield "vmodel_invalid_conditions_needed_alone", sum(1 for c in CONDITIONS if alone.get(c)), len(CONDITIONS)
-    yield "honest_vmodel_invalid_certificates", sum(honest_found.values()), options.honest
-    yield "honest_vmodel_invalid_certificates_rejected", sum(n for (_, c), n in honest_found.items() if c != "ACCEPT"), 0
-    yield "seconds", round(seconds, 1), None
-
-
-def main(argv):
-    options, start = attacks.parse(argv), time.monotonic()
-    table, alone, honest_found, failures = attacks.run_all(options, Run)
-    attacks.print_table(table, alone, CONDITIONS)
-    return attacks.report(failures, figures(table, alone, honest_found, failures, options, time.monotonic() - start),
-                          missing_conditions(alone) if sum(table.values()) >= 2000 else ())
+    return vmodel_liars.missing_conditions(alone, CONDITIONS)
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(vmodel_liars.main(sys.argv[1:], Run, "vmodel_invalid", CONDITIONS))

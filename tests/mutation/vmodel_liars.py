@@ -401,28 +401,30 @@ class Run(attacks.Run):
         self.table[name, attacks.condition_of(code, message)] += 1
 
 
-def missing_conditions(alone):
-    return attacks.missing_conditions(alone, CONDITIONS, {})
+def missing_conditions(alone, conditions=CONDITIONS):
+    return attacks.missing_conditions(alone, conditions, {})
 
 
-def figures(table, alone, honest_found, failures, options, seconds):
-    yield "vmodel_attacks", sum(table.values()), options.count
-    yield "vmodel_attacks_stopped_by_S_or_B1", sum(n for (_, c), n in table.items() if c in attacks.UNCOUNTED), None
-    yield "vmodel_attack_strategies", len({n for n, _ in table}), None
-    yield "vmodel_attacks_accepted", sum(n for (_, c), n in table.items() if c == "ACCEPT"), 0
-    yield "vmodel_checker_disagreements", sum("disagree" in f for f in failures), 0
-    yield "vmodel_conditions_needed_alone", sum(1 for c in CONDITIONS if alone.get(c)), len(CONDITIONS)
-    yield "honest_vmodel_certificates", sum(honest_found.values()), options.honest
-    yield "honest_vmodel_certificates_rejected", sum(n for (_, c), n in honest_found.items() if c != "ACCEPT"), 0
+def figures(name, conditions, found, options, seconds):
+    table, alone, honest_found, failures = found
+    yield f"{name}_attacks", sum(table.values()), options.count
+    yield f"{name}_attacks_stopped_by_S_or_B1", sum(n for (_, c), n in table.items() if c in attacks.UNCOUNTED), None
+    yield f"{name}_attack_strategies", len({n for n, _ in table}), None
+    yield f"{name}_attacks_accepted", sum(n for (_, c), n in table.items() if c == "ACCEPT"), 0
+    yield f"{name}_checker_disagreements", sum("disagree" in f for f in failures), 0
+    yield f"{name}_conditions_needed_alone", sum(1 for c in conditions if alone.get(c)), len(conditions)
+    yield f"honest_{name}_certificates", sum(honest_found.values()), options.honest
+    yield f"honest_{name}_certificates_rejected", sum(n for (_, c), n in honest_found.items() if c != "ACCEPT"), 0
     yield "seconds", round(seconds, 1), None
 
 
-def main(argv):
+def main(argv, run=Run, name="vmodel", conditions=CONDITIONS):
     options, start = attacks.parse(argv), time.monotonic()
-    table, alone, honest_found, failures = attacks.run_all(options, Run)
-    attacks.print_table(table, alone, CONDITIONS)
-    return attacks.report(failures, figures(table, alone, honest_found, failures, options, time.monotonic() - start),
-                          missing_conditions(alone) if sum(table.values()) >= 2000 else ())
+    found = attacks.run_all(options, run)
+    table, alone, _, failures = found
+    attacks.print_table(table, alone, conditions)
+    return attacks.report(failures, figures(name, conditions, found, options, time.monotonic() - start),
+                          missing_conditions(alone, conditions) if sum(table.values()) >= 2000 else ())
 
 
 if __name__ == "__main__":

@@ -57,7 +57,7 @@ void declare(OptionSet& set, CertifyFilesOptions& o) {
              "patches: relative width of the volume's interval (1e-5)");
   set.flag("--collar", o.collar, "patches: find a collar, and certify it, too");
   set.hide("--collar");  // the help line below names it
-  set.flag("--regular", o.regular, "volumes: zeros of det J are INVALID; --collar: find one");
+  set.flag("--regular", o.regular, "volumes: INVALID where det J is 0; --collar: find collars");
   set.flag("--no-check", o.no_check, "do not run veritope-check, and say so");
   set.flag("-q,--quiet", o.quiet, "the verdict lines only, as a table");
   declare_format(set, o.input);

@@ -15,6 +15,7 @@
 #include "solids/base/finding.h"
 #include "solids/base/verdict.h"
 #include "verify/certify/mesh_facts.h"
+#include "verify/certify/micro_facts.h"
 #include "verify/certify/patch_facts.h"
 #include "verify/format/mesh_certificate.h"
 
@@ -58,7 +59,7 @@ struct CertifyOptions {
 };
 
 /// Further facts about the model, by its kind; monostate for a kind without facts of its own.
-using Facts = std::variant<std::monostate, MeshFacts, PatchFacts>;
+using Facts = std::variant<std::monostate, MeshFacts, PatchFacts, MicroFacts>;
 
 /// A model that was certified in the place of the file: .vjson, or .off for polygons. The checkers do not read the
 /// file's format or shapes, or find other boundary faces of its volumes.

@@ -130,6 +130,9 @@ constexpr auto kClaims = std::to_array<Claim>({
     {kVModelInvalidClaim, kVModelInvalidMagic, "vmodel-invalid.md", kVolumes, "finding", "cells",
      "", encode_as<VModelInvalidBody>, decode_whole<internal::read_vmodel_invalid>,
      explain_as<VModelInvalidBody>},
+    {kMicroClaim, kMicroMagic, "microstructure.md", "vmicro", "",
+     "cells components genus glued_caps shells tiles", "", encode_as<MicroBody>,
+     decode_whole<internal::read_micro>, explain_as<MicroBody>},
 });
 
 void add_keys(std::string_view names, const char* kind, std::map<std::string, std::string>& keys) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "verify/format/collar_certificate.h"
+#include "verify/format/micro_certificate.h"
 #include "verify/format/patch_invalid_certificate.h"
 #include "verify/format/patch_meeting_certificate.h"
 #include "verify/format/vmodel_certificate.h"
@@ -21,7 +22,7 @@ std::string explain(const PatchInvalidBody& body, std::string_view claim, std::s
 std::string explain(const PatchMeetingBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const VolumeFoldedBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const VModelBody& body, std::string_view claim, std::size_t max_items);
-std::string explain(const VModelInvalidBody& body, std::string_view claim,
-                    std::size_t max_items);
+std::string explain(const VModelInvalidBody& body, std::string_view claim, std::size_t max_items);
+std::string explain(const MicroBody& body, std::string_view claim, std::size_t max_items);
 
 }  // namespace veritope::certificate

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/micro/micro_topology.h: how the tiles of a microstructure hang together. The conditions G1, G2 and T4, and the
+// numbers of docs/certificates/microstructure.md, section 7.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "solids/micro/cap_matching.h"
+
+namespace veritope {
+
+struct MicroCounts {
+  std::uint64_t cells = 0, tiles = 0, glued_caps = 0, components = 0, shells = 0;
+  std::int64_t genus = 0;  ///< the sum over the shells
+  friend bool operator==(const MicroCounts&, const MicroCounts&) = default;
+};
+
+/// Why no certificate can speak of the microstructure.
+struct MicroDefect {
+  const char* condition = "";  ///< "G1", "G2", "T4"
+  std::vector<CellWall> walls;
+  std::string message;
+};
+
+/// REQUIRES that the cage is that of micro, and the analysed tiles are its tiles, each with at most 64 caps.
+/// @cost  near-linear in the cells; 20 bytes for each
+std::variant<MicroCounts, MicroDefect> topology_of(const Microstructure& micro, const VModel& cage,
+                                                   const std::vector<AnalysedTile>& tiles);
+
+}  // namespace veritope

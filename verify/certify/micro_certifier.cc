@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/micro_certifier.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/splines/read_splines.h"
+#include "robust/base/check.h"
+#include "solids/micro/micro_topology.h"
+#include "verify/certify/certificate_entities.h"
+#include "verify/certify/certify_kinds_internal.h"
+#include "verify/certify/vmodel_certifier.h"
+#include "verify/format/claims.h"
+#include "verify/format/micro_certificate.h"
+
+namespace veritope {
+namespace {
+
+constexpr std::size_t kMaxCaps = 64;  // of a tile; a limit of this program
+
+class MicroCertification {
+ public:
+  MicroCertification(const Microstructure& micro, const certificate::Subject& subject,
+                     const CertifyOptions& options)
+      : micro_(micro),
+        subject_(subject),
+        options_(options),
+        facts_(out_.facts.emplace<MicroFacts>()) {}
+
+  Certified run() {
+    internal::enter(Phase::kDeciding, options_);
+    facts_.volumes = micro_.cage.size();
+    facts_.kinds = micro_.tiles.size();
+    for (const MicroGrid& g : micro_.grids) {
+      facts_.counts.cells += g.tiles.size();
+      for (const std::uint8_t t : g.tiles) facts_.counts.tiles += t != 0;
+    }
+    for (std::size_t k = 0; k < micro_.tiles.size(); ++k)
+      if (auto reason = analyse(k)) return undecided(std::move(*reason));
+    if (auto reason = certify_cage()) return undecided(std::move(*reason));
+    Result<VModel> cage = make_v_model(micro_.cage, VOrientation::kAuto);
+    VT_CHECK(cage.has_value(), "the cage was certified");
+    auto topology = topology_of(micro_, *cage, tiles_);
+    if (const auto* defect = std::get_if<MicroDefect>(&topology))
+      return undecided(reason_of(*defect));
+    facts_.counts = std::get<MicroCounts>(topology);
+    internal::enter(Phase::kCertifying, options_);
+    conclude();
+    return std::move(out_);
+  }
+
+ private:
+  static Finding reason(const std::string& message, const char* code = "not-certified") {
+    Finding out;
+    out.code = code;
+    out.message = message;
+    return out;
+  }
+  Certified undecided(Finding finding) {
+    out_.verdict = Verdict::kUndecided;
+    out_.findings.assign(1, std::move(finding));
+    return std::move(out_);
+  }
+
+  std::optional<Finding> analyse(std::size_t k) {
+    auto analysed = analyse_tile(micro_.tiles[k]);
+    const std::string name = "tile " + std::to_string(k);
+    if (const auto* defect = std::get_if<TileDefect>(&analysed))
+      return reason(name + ": " + defect->condition + ": " + defect->message);
+    tiles_.push_back(std::get<AnalysedTile>(std::move(analysed)));
+    if (tiles_.back().caps.size() > kMaxCaps)
+      return reason(name + " has " + std::to_string(tiles_.back().caps.size()) + " caps; at most " +
+                        std::to_string(kMaxCaps) + " are supported",
+                    "not-covered");
+    return std::nullopt;
+  }
+
+  std::optional<Finding> certify_cage() {
+    SplineFile file;
+    file.format = SplineFormat::kJson;
+    file.bytes = subject_.bytes;
+    file.sha256 = subject_.sha256;
+    for (const VVolume& volume : micro_.cage)
+      file.model.entities.push_back({volume, {}, std::nullopt, {}});
+    CertifyOptions options = options_;
+    options.orientation = PatchOrientation::kAuto;
+    options.with_collar = options.wants_regular = false;
+    options.on_phase = nullptr;
+    const std::optional<VModelAnswer> answer = certify_vmodel(file, options);
+    if (!answer.has_value())
+      return reason("no certificate can speak of the volumes of the cage", "not-covered");
+    const Certified& cage = answer->certified;
+    if (cage.verdict != Verdict::kValid) {
+      Finding out = cage.findings.front();
+      out.message = std::string("the cage is ") +
+                    (cage.verdict == Verdict::kInvalid ? "INVALID" : "UNDECIDED") + ": " +
+                    out.code + ": " + out.message;
+      out.code = "not-certified";
+      return out;
+    }
+    std::string why;
+    auto decoded = certificate::decode_certificate(cage.certificate, why);
+    VT_CHECK(decoded.has_value(), "a certificate of our own is not read");
+    body_.cage = std::get<certificate::VModelBody>(std::move(decoded->body));
+    return std::nullopt;
+  }
+
+  // The finding, with the cells' boxes in the parameters of the cage.
+  Finding reason_of(const MicroDefect& defect) const {
+    Finding out = reason(std::string(defect.condition) + ": " + defect.message);
+    for (const CellWall& w : defect.walls) {
+      const MicroGrid& grid = micro_.grids[w.grid];
+      const auto at = grid.shape().index_of(w.cell);
+      EntityPart part;
+      part.entity = grid.volume;
+      part.is_of_volume = true;
+      for (std::size_t a = 0; a < 3; ++a)
+        part.parameters.push_back(
+            {round_down(grid.breaks[a][at[a]]), round_up(grid.breaks[a][at[a] + 1])});
+      out.place.parts.push_back(std::move(part));
+    }
+    return out;
+  }
+
+  void conclude() {
+    for (const AnalysedTile& tile : tiles_) {
+      certificate::MicroTileProof& proof = body_.tiles.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) proof.centre[c] = to_fraction(tile.centre[c]);
+      proof.exit = tile.exit;
+    }
+    const MicroCounts& n = facts_.counts;
+    out_.certificate = certificate::encode(
+        subject_,
+        certificate::MicroQuantities{n.cells, n.tiles, n.glued_caps, n.components, n.shells,
+                                     static_cast<std::uint64_t>(n.genus)},
+        body_);
+    out_.claim = certificate::kMicroClaim;
+    out_.verdict = Verdict::kValid;
+  }
+
+  const Microstructure& micro_;
+  const certificate::Subject& subject_;
+  const CertifyOptions& options_;
+  Certified out_;
+  MicroFacts& facts_;
+  std::vector<AnalysedTile> tiles_;
+  certificate::MicroBody body_;
+};
+
+}  // namespace
+
+Certified certify_microstructure(const Microstructure& micro, const certificate::Subject& subject,
+                                 const CertifyOptions& options) {
+  return MicroCertification(micro, subject, options).run();
+}
+
+}  // namespace veritope

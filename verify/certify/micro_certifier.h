@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/micro_certifier.h: certify for microstructures. Theory: docs/THEORY.md, MICRO-1. The page:
+// docs/certificates/microstructure.md. Design: docs/design/0071-microstructures.md.
+#pragma once
+#include "solids/micro/microstructure.h"
+#include "verify/certify/certify.h"
+
+namespace veritope {
+
+/// VALID with its certificate (microstructure-1), or UNDECIDED: "not-certified", with the condition of the page that is not
+/// proved to hold and the place in the cage's parameters; or "not-covered".
+/// @param subject  the bytes of the file
+/// REQUIRES validate(micro).
+/// @cost  that of certify for the cage; polynomial in the degrees of the tiles; near-linear in the cells, 20 bytes each
+Certified certify_microstructure(const Microstructure& micro, const certificate::Subject& subject,
+                                 const CertifyOptions& options);
+
+}  // namespace veritope

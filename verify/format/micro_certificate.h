@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// verify/format/micro_certificate.h: the certificate of a microstructure as plain data, and its encoding. The page:
+// docs/certificates/microstructure.md. Integers and bytes only; nothing here decides anything.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "verify/format/vmodel_certificate.h"
+
+namespace veritope::certificate {
+
+inline constexpr std::string_view kMicroClaim = "microstructure-1";
+inline constexpr std::string_view kMicroMagic = "VTMS";
+
+/// The point about which a tile is star-shaped, and the patch through which a ray from it leaves.
+struct MicroTileProof {
+  std::array<Fraction, 3> centre;
+  std::uint64_t exit = 0;
+};
+struct MicroBody {
+  std::vector<MicroTileProof> tiles;
+  VModelBody cage;
+};
+
+/// What the statement says beside its claim.
+struct MicroQuantities {
+  std::uint64_t cells = 0, tiles = 0, glued_caps = 0, components = 0, shells = 0, genus = 0;
+};
+
+Bytes encode(const MicroBody& body);
+/// The whole certificate. `subject.reading_rule` and `as_indexed` are not used.
+Bytes encode(const Subject& subject, const MicroQuantities& quantities, const MicroBody& body);
+
+namespace internal {
+std::optional<MicroBody> read_micro(ByteReader r);
+}  // namespace internal
+
+}  // namespace veritope::certificate

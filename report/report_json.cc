@@ -31,7 +31,8 @@ const internal::ReportKind& internal::kind_of(const FileReport& report) {
     const auto* const facts = std::get_if<PatchFacts>(&report.facts);
     return facts != nullptr && facts->vmodel ? kVModelReports : kPatchReports;
   }
-  if (std::holds_alternative<PlainSource>(report.source)) return kPlainReports;
+  if (std::holds_alternative<PlainSource>(report.source))
+    return std::holds_alternative<MicroFacts>(report.facts) ? kMicroReports : kPlainReports;
   return kMeshReports;
 }
 

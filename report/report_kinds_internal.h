@@ -32,7 +32,8 @@ extern const ReportKind
     kMeshReports;  // mesh_json.cc, mesh_text.cc; files that could not be read, too
 extern const ReportKind kPatchReports;   // patch_json.cc, patch_text.cc
 extern const ReportKind kVModelReports;  // vmodel_report.cc: volumes whose cells were looked at
-extern const ReportKind kPlainReports;  // plain_report.cc: every other kind
+extern const ReportKind kMicroReports;   // micro_report.cc: microstructures
+extern const ReportKind kPlainReports;   // plain_report.cc: every other kind
 
 /// The table: a kind of files without a row here has plain reports.
 const ReportKind& kind_of(const FileReport& report);

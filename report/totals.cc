@@ -64,6 +64,15 @@ Facets facets_of(const PatchFacts& facts, const FileReport& report) {
   return out;
 }
 
+Facets facets_of(const MicroFacts& facts, const FileReport& report) {
+  Facets out;
+  if (!report.defects.empty()) out.codes = report.defects.front().code;
+  if (report.verdict != Verdict::kValid) return out;
+  out.bodies = std::to_string(facts.counts.components);
+  out.genus = std::to_string(facts.counts.genus);
+  return out;
+}
+
 Facets facets_of(const std::monostate&, const FileReport&) { return {}; }
 
 }  // namespace

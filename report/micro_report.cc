@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Reports about microstructures: how many tiles they have and how these hang together; where a condition of their
+// certificate is not proved to hold.
+#include "report/report_kinds_internal.h"
+
+namespace veritope::report {
+namespace {
+
+const MicroFacts& micro_of(const FileReport& report) { return std::get<MicroFacts>(report.facts); }
+
+void put_micro_source(const FileReport&, Json&) {}
+
+Json cell_part_json(const EntityPart& part) {
+  Json box = Json::array();
+  for (const auto& [lo, hi] : part.parameters) box.push_back(Json::array({lo, hi}));
+  return {{"volume", part.entity}, {"box", std::move(box)}};
+}
+
+Json micro_reason_json(const Finding& f) {
+  Json parts = Json::array();
+  for (const EntityPart& part : f.place.parts) parts.push_back(cell_part_json(part));
+  return {{"code", f.code}, {"message", f.message}, {"parts", std::move(parts)}};
+}
+
+void put_micro_facts(const FileReport& report, Json& out) {
+  const MicroFacts& f = micro_of(report);
+  const MicroCounts& n = f.counts;
+  const bool is_valid = report.verdict == Verdict::kValid;
+  const auto if_valid = [&](auto number) { return is_valid ? Json(number) : Json(nullptr); };
+  out["counts"] = {{"volumes", f.volumes},
+                   {"kinds", f.kinds},
+                   {"cells", n.cells},
+                   {"tiles", n.tiles},
+                   {"glued_caps", if_valid(n.glued_caps)},
+                   {"components", if_valid(n.components)},
+                   {"shells", if_valid(n.shells)},
+                   {"genus", if_valid(n.genus)}};
+  out["reasons"] = Json::array();
+  for (const Finding& r : report.reasons) out["reasons"].push_back(micro_reason_json(r));
+}
+
+std::string micro_summary(const FileReport& report) {
+  const MicroCounts& n = micro_of(report).counts;
+  return counted(n.tiles, "tile", "tiles") + ", " +
+         counted(n.components, "component", "components") + ", genus " + std::to_string(n.genus);
+}
+
+std::string micro_findings(const FileReport&, const TextOptions&) { return ""; }
+
+std::string micro_details(const FileReport& report, const TextOptions&) {
+  const auto& source = std::get<PlainSource>(report.source);
+  const MicroFacts& f = micro_of(report);
+  std::string out =
+      detail_line("file", source.format + ", " + counted(source.bytes, "byte", "bytes")) +
+      detail_line("cage", counted(f.volumes, "volume", "volumes") + ", " +
+                              counted(f.counts.cells, "cell", "cells"));
+  if (report.verdict != Verdict::kValid) return out;
+  return out + detail_line("tiles", counted(f.counts.tiles, "tile", "tiles") + ", " +
+                                        counted(f.counts.glued_caps, "glued cap", "glued caps") +
+                                        ", " + counted(f.counts.shells, "shell", "shells"));
+}
+
+}  // namespace
+
+const internal::ReportKind internal::kMicroReports = {
+    put_micro_source, put_micro_facts, false, micro_summary, micro_findings, micro_details};
+
+}  // namespace veritope::report

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "solids/micro/micro_topology.h"
+#include "tests/support/micro_cells.h"
+
+namespace veritope {
+namespace {
+
+using micro_cells::box_tile;
+using micro_cells::full;
+using v_cells::cube;
+
+std::variant<MicroCounts, MicroDefect> topology(const Microstructure& micro) {
+  std::vector<AnalysedTile> tiles;
+  for (const MicroTile& t : micro.tiles) tiles.push_back(std::get<AnalysedTile>(analyse_tile(t)));
+  return topology_of(micro, make_v_model(micro.cage, VOrientation::kAuto).value(), tiles);
+}
+MicroCounts counts_of(const Microstructure& micro) {
+  const auto found = topology(micro);
+  if (const auto* defect = std::get_if<MicroDefect>(&found)) {
+    ADD_FAILURE() << defect->condition << ": " << defect->message;
+    return {};
+  }
+  return std::get<MicroCounts>(found);
+}
+std::string condition_of(const Microstructure& micro) {
+  const auto found = topology(micro);
+  const auto* defect = std::get_if<MicroDefect>(&found);
+  return defect != nullptr ? defect->condition : "";
+}
+MicroTile jack(std::optional<std::array<std::int32_t, 2>> range = std::nullopt) {
+  JackShape shape;
+  shape.degree = 1;
+  shape.range = range;
+  return jack_tile(shape).value();
+}
+constexpr std::int32_t kEighth = kMaxWallNumber / 8;
+
+TEST(MicroTopology, BlocksOfJacksHaveTheGenusOfTheirGraph) {
+  for (const std::array<std::uint64_t, 3>& n :
+       {std::array<std::uint64_t, 3>{1, 1, 1}, {2, 1, 1}, {2, 2, 1}, {3, 4, 5}}) {
+    const MicroCounts c = counts_of(full({cube(0, 0, 0)}, n, jack()));
+    const auto [k, l, m] = n;
+    EXPECT_EQ(c.tiles, k * l * m);
+    EXPECT_EQ(c.glued_caps, 3 * k * l * m - k * l - l * m - k * m);
+    EXPECT_EQ(c.components, 1u);
+    EXPECT_EQ(c.shells, 1u);
+    EXPECT_EQ(c.genus, static_cast<std::int64_t>(2 * k * l * m + 1 - k * l - l * m - k * m));
+  }
+}
+
+TEST(MicroTopology, EmptyCellsCutTheStructure) {
+  Microstructure micro = full({cube(0, 0, 0)}, {3, 1, 1}, jack());
+  micro.grids[0].tiles[1] = 0;
+  const MicroCounts c = counts_of(micro);
+  EXPECT_EQ(c.tiles, 2u);
+  EXPECT_EQ(c.components, 2u);
+  EXPECT_EQ(c.shells, 2u);
+  EXPECT_EQ(c.genus, 0);
+}
+
+// PROVES MICRO-1.G1
+TEST(MicroTopology, NumbersOfWallsLieInTheRangeOfTheTile) {
+  Microstructure micro = full({cube(0, 0, 0)}, {2, 1, 1}, jack({{kEighth, 2 * kEighth}}), kEighth);
+  EXPECT_EQ(condition_of(micro), "");
+  micro.grids[0].walls[0][1] = 2 * kEighth;
+  EXPECT_EQ(condition_of(micro), "");
+  micro.grids[0].walls[0][1] = 2 * kEighth + 1;
+  EXPECT_EQ(condition_of(micro), "G1");
+}
+
+// PROVES MICRO-1.T4
+TEST(MicroTopology, GluedVolumesShareTheNumbersOfTheirCommonWalls) {
+  Microstructure micro =
+      full({cube(0, 0, 0), cube(1, 0, 0)}, {2, 2, 2}, jack({{kEighth, 2 * kEighth}}), kEighth);
+  MicroCounts c = counts_of(micro);
+  EXPECT_EQ(c.tiles, 16u);
+  EXPECT_EQ(c.components, 1u);
+  EXPECT_EQ(c.genus, 2 * 16 + 1 - 4 * 2 - 4 * 2 - 4);  // a block of 4 x 2 x 2
+  micro.grids[1].walls[0][0] = kEighth + 1;
+  EXPECT_EQ(condition_of(micro), "T4");
+  micro.grids[0].walls[0][8] = kEighth + 1;  // the same wall, in the other volume
+  EXPECT_EQ(condition_of(micro), "");
+}
+
+TEST(MicroTopology, EverySymmetryOfAGluedFaceIsFollowed) {
+  for (int round = 0; round < 60; ++round) {
+    std::vector<VVolume> cage = {cube(0, 0, 0),
+                                 v_cells::turned(cube(1, 0, 0), static_cast<unsigned>(round) % 48)};
+    // Different numbers of cells along all axes: only the right symmetry brings equal walls together.
+    const Microstructure micro = full(cage, {2, 2, 2}, jack());
+    const MicroCounts c = counts_of(micro);
+    EXPECT_EQ(c.components, 1u) << round;
+    EXPECT_EQ(c.genus, 2 * 16 + 1 - 4 * 2 - 4 * 2 - 4) << round;
+  }
+}
+
+// PROVES MICRO-1.T4
+TEST(MicroTopology, OverlappingCapsOfDifferentTilesAreRefused) {
+  Microstructure micro = full({cube(0, 0, 0)}, {1, 1, 2}, box_tile({16, 16, 0}, {48, 48, 64}));
+  micro.tiles.push_back(box_tile({20, 16, 0}, {52, 48, 64}));
+  EXPECT_EQ(counts_of(micro).components, 1u);
+  micro.grids[0].tiles[1] = 2;
+  EXPECT_EQ(condition_of(micro), "T4");
+  micro.tiles[1] = box_tile({50, 16, 0}, {60, 48, 64});  // apart
+  EXPECT_EQ(counts_of(micro).components, 2u);
+  micro.tiles[1] = box_tile({48, 16, 0}, {60, 48, 64});  // the caps touch in a side
+  EXPECT_EQ(condition_of(micro), "T4");
+}
+
+TEST(MicroTopology, FineGridsMeetCoarseOnes) {
+  // A coarse cell below 2 x 2 fine ones; the coarse tile has four caps on top, each that of a fine tile.
+  Microstructure micro = full({cube(0, 0, 0)}, {1, 1, 1}, box_tile({8, 8, 0}, {24, 24, 64}));
+  const Rational half = Rational(1) / Rational(2);
+  micro.grids[0].breaks[2] = {Rational(0), half};
+  MicroGrid fine = micro.grids[0];
+  fine.breaks = {
+      {{Rational(0), half, Rational(1)}, {Rational(0), half, Rational(1)}, {half, Rational(1)}}};
+  fine.tiles.assign(4, 0);
+  micro.grids.push_back(fine);
+  micro.tiles.push_back(box_tile({16, 16, 0}, {48, 48, 64}));
+  micro.grids[1].tiles[0] = 2;  // over the first quarter: its cap is [16, 48] / 128 = [8, 24] / 64
+  MicroCounts c = counts_of(micro);
+  EXPECT_EQ(c.components, 1u);
+  EXPECT_EQ(c.glued_caps, 1u);
+  micro.grids[1].tiles[0] = 0;
+  micro.grids[1].tiles[3] = 2;
+  EXPECT_EQ(counts_of(micro).components, 2u);
+}
+
+TEST(MicroTopology, ShellsThatCapsCutApartAreJoinedAgain) {
+  // A box between two walls: without its caps it is a tube, one shell. Three of them on each other: one shell.
+  const MicroCounts c =
+      counts_of(full({cube(0, 0, 0)}, {1, 1, 3}, box_tile({16, 16, 0}, {48, 48, 64})));
+  EXPECT_EQ(c.shells, 1u);
+  EXPECT_EQ(c.genus, 0);
+}
+
+}  // namespace
+}  // namespace veritope

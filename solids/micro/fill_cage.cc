@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/micro/fill_cage.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "solids/micro/micro_grid.h"
+#include "solids/micro/wall_pairs.h"
+
+namespace veritope {
+namespace {
+
+constexpr unsigned kAllArms = 63;
+constexpr std::int32_t kNoNumber = -1;
+
+// The tiles with fewer arms, as they are needed.
+class TileKinds {
+ public:
+  TileKinds(const TileOfArms& make, std::vector<MicroTile>& tiles) : make_(make), tiles_(tiles) {}
+  // 1 more than the number of the tile.
+  Result<std::uint8_t> with_arms(unsigned arms) {
+    const auto [at, is_new] = numbers_.try_emplace(arms, std::uint8_t{0});
+    if (!is_new) return at->second;
+    Result<MicroTile> tile = make_(arms);
+    if (!tile) return tile.error();
+    if (tiles_.size() == kMaxMicroTiles)
+      return Error{
+          Code::kOverLimit, {}, "more than " + std::to_string(kMaxMicroTiles) + " different tiles"};
+    tiles_.push_back(std::move(*tile));
+    return at->second = static_cast<std::uint8_t>(tiles_.size());
+  }
+
+ private:
+  const TileOfArms& make_;
+  std::vector<MicroTile>& tiles_;
+  std::map<unsigned, std::uint8_t> numbers_;
+};
+
+// The walls of a cell that do not lie in collapsed faces.
+unsigned arms_of(const VModel& model, const MicroGrid& grid, std::size_t cell) {
+  const Grid<3> shape = grid.shape();
+  const auto at = shape.index_of(cell);
+  unsigned arms = kAllArms;
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t end = 0; end < 2; ++end)
+      if (at[a] == (end == 0 ? 0 : shape.size[a] - 1) &&
+          model.face(grid.volume, 2 * a + end).is_collapsed())
+        arms &= ~(1u << (2 * a + end));
+  return arms;
+}
+
+// Calls visit(wall, number) for the walls of a grid across an axis, and for each whether a cell beside it has a tile.
+template <typename Visit>
+void for_each_wall(MicroGrid& grid, std::uint32_t number, std::size_t axis, Visit visit) {
+  const Grid<3> walls = grid.wall_shape(axis), cells = grid.shape();
+  for (std::size_t w = 0; w < walls.count(); ++w) {
+    GridWall wall{number, axis, walls.index_of(w)};
+    bool is_used = wall.at[axis] < cells.size[axis] && grid.tiles[cells.at(wall.at)] != 0;
+    if (wall.at[axis] > 0) {
+      auto before = wall.at;
+      --before[axis];
+      is_used = is_used || grid.tiles[cells.at(before)] != 0;
+    }
+    visit(wall, is_used, grid.walls[axis][w]);
+  }
+}
+
+// The number of a wall of a cell.
+std::int32_t& number_at(Microstructure& micro, const CellWall& w) {
+  MicroGrid& grid = micro.grids[w.grid];
+  const auto axis = static_cast<std::size_t>(w.wall / 2);
+  auto at = grid.shape().index_of(w.cell);
+  at[axis] += static_cast<std::size_t>(w.wall % 2);
+  return grid.walls[axis][grid.wall_shape(axis).at(at)];
+}
+GridWall grid_wall(const Microstructure& micro, const CellWall& w) {
+  const auto axis = static_cast<std::size_t>(w.wall / 2);
+  GridWall out{w.grid, axis, micro.grids[w.grid].shape().index_of(w.cell)};
+  out.at[axis] += static_cast<std::size_t>(w.wall % 2);
+  return out;
+}
+bool is_whole_square(const WallPlacement& p) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    const bool is_plain = p.scale[k] == Rational(1) && p.offset[k] == Rational(0);
+    const bool is_turned = p.scale[k] == Rational(-1) && p.offset[k] == Rational(1);
+    if (!is_plain && !is_turned) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
+                                 const std::array<std::uint64_t, 3>& counts, const TileOfArms& tile,
+                                 std::uint64_t max_cells) {
+  Microstructure out;
+  TileKinds kinds(tile, out.tiles);
+  std::uint64_t left = max_cells;
+  for (std::uint32_t v = 0; v < cage.size(); ++v) {
+    std::uint64_t cells = 1;
+    for (const std::uint64_t n : counts) {
+      if (n != 0 && cells > left / n)
+        return Error{Code::kOverLimit, {}, "more than " + std::to_string(max_cells) + " cells"};
+      cells *= n;
+    }
+    left -= cells;
+    Result<MicroGrid> grid = make_micro_grid(cage[v], v, counts);
+    if (!grid) return grid.error();
+    for (std::size_t c = 0; c < grid->tiles.size(); ++c) {
+      const Result<std::uint8_t> kind = kinds.with_arms(arms_of(model, *grid, c));
+      if (!kind) return kind.error();
+      grid->tiles[c] = *kind;
+    }
+    out.grids.push_back(std::move(*grid));
+  }
+  out.cage = std::move(cage);
+  if (out.has_walls())
+    for (MicroGrid& grid : out.grids)
+      for (std::size_t a = 0; a < 3; ++a) grid.walls[a].assign(grid.wall_shape(a).count(), 0);
+  return out;
+}
+
+Status number_walls(const VModel& model,
+                    const std::function<Result<std::int32_t>(const GridWall&)>& number,
+                    Microstructure& micro) {
+  for (MicroGrid& grid : micro.grids)
+    for (auto& walls : grid.walls) std::fill(walls.begin(), walls.end(), kNoNumber);
+  std::optional<Error> error;
+  for_each_wall_pair(micro, model, [&](const WallPair& pair) {
+    if (pair.has_shared_number || !is_whole_square((*pair.placements)[1])) return true;
+    std::int32_t& first = number_at(micro, pair.walls[0]);
+    if (first == kNoNumber) {
+      const Result<std::int32_t> n = number(grid_wall(micro, pair.walls[0]));
+      if (!n) error = n.error();
+      if (error.has_value()) return false;
+      first = *n;
+    }
+    number_at(micro, pair.walls[1]) = first;
+    return true;
+  });
+  for (std::uint32_t g = 0; g < micro.grids.size(); ++g)
+    for (std::size_t a = 0; a < 3; ++a)
+      for_each_wall(micro.grids[g], g, a, [&](const GridWall& wall, bool is_used, std::int32_t& n) {
+        if (!is_used) n = 0;
+        if (n != kNoNumber || error.has_value()) return;
+        const Result<std::int32_t> found = number(wall);
+        if (found)
+          n = *found;
+        else
+          error = found.error();
+      });
+  if (error.has_value()) return *error;
+  return ok_status();
+}
+
+void clear_unused_walls(Microstructure& micro) {
+  if (!micro.has_walls()) return;
+  for (std::uint32_t g = 0; g < micro.grids.size(); ++g)
+    for (std::size_t a = 0; a < 3; ++a)
+      for_each_wall(micro.grids[g], g, a, [](const GridWall&, bool is_used, std::int32_t& n) {
+        if (!is_used) n = 0;
+      });
+}
+
+std::array<Rational, 3> middle_of(const Microstructure& micro, const GridWall& wall) {
+  const MicroGrid& grid = micro.grids[wall.grid];
+  std::array<Rational, 3> out;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto& breaks = grid.breaks[a];
+    out[a] = a == wall.axis ? breaks[wall.at[a]]
+                            : (breaks[wall.at[a]] + breaks[wall.at[a] + 1]) / Rational(2);
+  }
+  return out;
+}
+
+}  // namespace veritope

@@ -8,6 +8,7 @@
 #include "io/itd_polygons.h"
 #include "io/mesh/sniff.h"
 #include "io/mesh/write_mesh.h"
+#include "io/micro/write_micro.h"
 #include "io/splines/spline_sniff.h"
 #include "io/splines/write_splines.h"
 #include "robust/base/check.h"
@@ -80,6 +81,19 @@ ModelFormat itd() {
   return row;
 }
 
+ModelFormat micro() {
+  const auto write_file = [](const ModelFile& file, const ReadLimits&) -> Result<std::string> {
+    return write_micro(std::get<MicroFile>(file).micro);
+  };
+  return {MicroFormat::kMicro,
+          "vmicro",
+          {"vmicro"},
+          looks_like_micro,
+          read_with<MicroFormat::kMicro, read_micro>,
+          binary_guess,
+          write_file};
+}
+
 // The table. Meshes come first: content that looks like both a mesh and splines is read as a mesh.
 const std::vector<ModelFormat>& rows() {
   static const std::vector<ModelFormat> table = {
@@ -92,6 +106,7 @@ const std::vector<ModelFormat>& rows() {
       splines<SplineFormat::kMfem>({"mfem", "mesh"}, looks_like_mfem),
       splines<SplineFormat::kGismo>({"gismo", "xml"}, looks_like_gismo),
       splines<SplineFormat::kJson>({"vjson", "json"}, looks_like_spline_json),
+      micro(),
   };
   return table;
 }

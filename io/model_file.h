@@ -8,6 +8,7 @@
 
 #include "io/base/read_limits.h"
 #include "io/mesh/read_mesh.h"
+#include "io/micro/read_micro.h"
 #include "io/splines/read_splines.h"
 
 namespace veritope {
@@ -16,16 +17,16 @@ namespace veritope {
 // order, and nothing else in this file or in io/model_file.cc (docs/how-to/add-a-solid.md).
 
 /// What a file holds.
-enum class ModelKind { kMesh, kSplines };
+enum class ModelKind { kMesh, kSplines, kMicro };
 
 /// The content of a file of a model. Each alternative has
 ///  - kTitle, the kind in sentences: "a mesh";
 ///  - format and bytes, the number of bytes that were read (meshes have both in their ReadReport);
 ///  - sha256, seconds_read, seconds_parse and seconds_hash, which the front door fills.
-using ModelFile = std::variant<MeshFile, SplineFile>;
+using ModelFile = std::variant<MeshFile, SplineFile, MicroFile>;
 
 /// A format, typed by its kind.
-using FormatId = std::variant<MeshFormat, SplineFormat>;
+using FormatId = std::variant<MeshFormat, SplineFormat, MicroFormat>;
 
 /// The kind in sentences: "a mesh", "a file of splines".
 const char* title_of(ModelKind kind);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/base/json_string.h"
 #include "io/splines/spline_json_lexer.h"
 
 namespace veritope {
@@ -140,21 +141,7 @@ class ChainReader : SplineJsonLexer {
   std::vector<const char*> operands_at_;
 };
 
-void append_string(std::string_view s, std::string& out) {
-  constexpr char kHex[] = "0123456789abcdef";
-  out += '"';
-  for (const char c : to_utf8(s)) {
-    const auto b = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') out += '\\';
-    if (b < 0x20 || b == 0x7F) {
-      out += "\\u00";
-      out += {kHex[b >> 4], kHex[b & 15]};
-    } else {
-      out += c;
-    }
-  }
-  out += '"';
-}
+void append_string(std::string_view s, std::string& out) { append_json_string(to_utf8(s), out); }
 
 }  // namespace
 

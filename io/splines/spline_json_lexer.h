@@ -24,6 +24,8 @@ class SplineJsonLexer : public SplineTextReader {
   }
 
  protected:
+  bool is_next(char c) { return peek() == std::string_view(&c, 1); }
+  bool take_char(char c);
   /// Reads a null; false if the next token is something else.
   bool take_null();
   bool read_string(std::string& text);
@@ -41,8 +43,6 @@ class SplineJsonLexer : public SplineTextReader {
   bool read_members(Value value);
 
  private:
-  bool is_next(char c) { return peek() == std::string_view(&c, 1); }
-  bool take_char(char c);
   bool read_escape(std::string& text);
   bool read_hex4(unsigned& code);
 };

@@ -13,8 +13,12 @@ class JsonReader : SplineJsonMaps {
   using SplineTextReader::take_error;
 
   bool read();
+  /// As read, for an object at `at` that other text may follow.
+  bool read_part(const char* at);
+  const char* cursor() const { return p_; }
 
  private:
+  bool read_model();
   bool read_strings(std::vector<std::string>& texts);
   bool read_index(const char* what, std::optional<std::size_t>& index, std::size_t below);
   bool read_group();
@@ -189,9 +193,9 @@ bool JsonReader::read_entity() {
   return ok && end_entity(std::move(entity));
 }
 
-bool JsonReader::read() {
+bool JsonReader::read_model() {
   bool has_groups = false;
-  const bool ok = read_object({"format", "groups", "entities"}, [&](std::size_t key) {
+  return read_object({"format", "groups", "entities"}, [&](std::size_t key) {
     if (key == 0) {
       std::string format;
       skip();
@@ -208,14 +212,29 @@ bool JsonReader::read() {
     if (!has_groups) return fail(p_, Code::kSyntax, "the key 'groups' must come before 'entities'");
     return read_list([&] { return read_entity(); });
   });
-  if (!ok) return false;
-  return is_at_end() || fail_expected("the end of the file");
+}
+
+bool JsonReader::read() {
+  return read_model() && (is_at_end() || fail_expected("the end of the file"));
+}
+
+bool JsonReader::read_part(const char* at) {
+  p_ = at;
+  return read_model();
 }
 
 }  // namespace
 
 Result<SplineFile> read_spline_json(const Source& source, const ReadLimits& limits) {
   return run_reader<JsonReader>(source, limits);
+}
+
+Result<SplineFile> read_spline_json_part(const Source& source, const ReadLimits& limits,
+                                         const char*& at) {
+  JsonReader reader(source, limits);
+  if (!reader.read_part(at)) return reader.take_error();
+  at = reader.cursor();
+  return reader.take();
 }
 
 }  // namespace veritope

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Our exact text form: docs/formats/spline-json.md. One point a line; numbers in lowest terms.
+#include "io/base/json_string.h"
 #include "io/splines/write_splines.h"
 
 namespace veritope {
@@ -16,23 +17,7 @@ class JsonWriter {
   }
 
  private:
-  void text(std::string_view s) {
-    constexpr char kHex[] = "0123456789abcdef";
-    out_ += '"';
-    for (const char c : s) {
-      const auto b = static_cast<unsigned char>(c);
-      if (c == '"' || c == '\\') {
-        out_ += '\\';
-        out_ += c;
-      } else if (b < 0x20 || b == 0x7F) {
-        out_ += "\\u00";
-        out_ += {kHex[b >> 4], kHex[b & 15]};
-      } else {
-        out_ += c;
-      }
-    }
-    out_ += '"';
-  }
+  void text(std::string_view s) { append_json_string(s, out_); }
   template <typename List, typename Item>
   void list(const List& items, Item item, const char* separator = ",\n ") {
     out_ += '[';

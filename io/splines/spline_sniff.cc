@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "io/base/scan.h"
@@ -24,6 +25,17 @@ std::string_view text_of(const Source& source) {
   return head.substr(std::min(head.size(), static_cast<std::size_t>(p - head.data())));
 }
 
+// The value of the object's first member, from its quotation mark on, if the key is "format"; else nothing.
+std::string_view first_format(std::string_view text) {
+  for (const std::string_view token : {"{", "\"format\"", ":"}) {
+    text.remove_prefix(std::min(text.size(), text.find_first_not_of(" \t\r\n")));
+    if (!text.starts_with(token)) return {};
+    text.remove_prefix(token.size());
+  }
+  text.remove_prefix(std::min(text.size(), text.find_first_not_of(" \t\r\n")));
+  return text.starts_with('"') ? text : std::string_view();
+}
+
 bool contains(std::string_view text, std::string_view word) { return text.find(word) != text.npos; }
 
 bool is_g2_class(std::string_view word) {
@@ -40,7 +52,13 @@ bool looks_like_mfem(const Source& source) {
 
 bool looks_like_spline_json(const Source& source) {
   const std::string_view text = text_of(source);
+  const std::string_view first = first_format(text);
+  if (!first.empty() && !first.starts_with("\"veritope-spline-1\"")) return false;
   return text.starts_with("{") && contains(text, "veritope-spline-1");
+}
+
+bool starts_with_format(const Source& source, std::string_view format) {
+  return first_format(text_of(source)).starts_with('"' + std::string(format) + '"');
 }
 
 bool looks_like_gismo(const Source& source) {

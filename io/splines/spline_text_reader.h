@@ -48,6 +48,11 @@ class SplineTextReader {
   bool fail_expected(const std::string& expected);
   /// Passes on an error of a library function: its code and sentence, with our place.
   bool fail_with(const char* at, const Error& error) { return fail(at, error.code, error.message); }
+  /// Passes on an error of another reader of this file, which has its place.
+  bool fail_as(Error error) {
+    if (!error_) error_ = std::move(error);
+    return false;
+  }
 
   /// Skips blanks (VT and FF unless is_json_, too), line ends and, if has_comments_, # comments.
   void skip();
@@ -148,6 +153,10 @@ Result<SplineFile> read_g2(const Source& source, const ReadLimits& limits);
 Result<SplineFile> read_mfem(const Source& source, const ReadLimits& limits);
 Result<SplineFile> read_gismo(const Source& source, const ReadLimits& limits);
 Result<SplineFile> read_spline_json(const Source& source, const ReadLimits& limits);
+
+/// Reads the object of read_spline_json at `at`, which lies in another text, and moves `at` past it.
+Result<SplineFile> read_spline_json_part(const Source& source, const ReadLimits& limits,
+                                         const char*& at);
 
 // ---- bodies
 

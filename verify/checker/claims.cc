@@ -6,6 +6,7 @@
 
 #include "collar/collar_claim.h"
 #include "mesh/mesh_claims.h"
+#include "micro/micro_claim.h"
 #include "patches/patch_claims.h"
 #include "points/points_claim.h"
 #include "vmodel/vmodel_claim.h"
@@ -81,6 +82,8 @@ const std::vector<Claim>& all_claims() {
       {"vmodel-invalid-1", "VTVI", kVolumes,
        " body_sha256 certificate claim finding subject_format subject_sha256 tool",
        " cells subject_bytes", "", check_vmodel_finding, check_vmodel_invalid},
+      {"microstructure-1", "VTMS", "vmicro", kStarText,
+       " cells components genus glued_caps shells subject_bytes tiles", "", nullptr, check_micro},
   };
   return claims;
 }

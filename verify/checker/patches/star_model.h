@@ -31,6 +31,8 @@ std::string line_and_token(const std::string& file, size_t at);
 // Each starts at *at, which follows the reader. has_volumes: the entities are volumes; otherwise a volume is an entity
 // of another kind.
 std::vector<Entity> read_json_model(const std::string& file, bool has_volumes, size_t* at);
+// A model that is one object of the text: what follows it is not read.
+std::vector<Entity> read_json_part(const std::string& file, bool has_volumes, size_t* at);
 std::vector<Entity> read_itd_model(const std::string& file, bool has_volumes, size_t* at);
 std::vector<Entity> read_g2_model(const std::string& file, size_t* at);
 std::vector<Entity> read_mfem_model(const std::string& file, size_t* at);

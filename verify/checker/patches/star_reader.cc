@@ -132,13 +132,18 @@ struct Reader : JsonReader {
       expect(grouped, "the entities stand before the groups");
       list([&] { entities.push_back(entity()); });
     });
-    expect(next() == '\0' && at == text.size(), "something follows the model");
     return entities;
   }
 };
 
 }  // namespace
 
-std::vector<Entity> read_json_model(const std::string& file, bool has_volumes, size_t* at) {
+std::vector<Entity> read_json_part(const std::string& file, bool has_volumes, size_t* at) {
   return Reader(file, has_volumes, at).model();
+}
+std::vector<Entity> read_json_model(const std::string& file, bool has_volumes, size_t* at) {
+  Reader reader(file, has_volumes, at);
+  std::vector<Entity> entities = reader.model();
+  expect(reader.next() == '\0' && *at == file.size(), "something follows the model");
+  return entities;
 }

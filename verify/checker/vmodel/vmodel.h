@@ -96,6 +96,14 @@ std::vector<Big> coefficients_of_n(const VPiece& piece, Units* units);
 void check_determinant(const VPiece& piece, const VEntry& entry, bool is_reversed,
                        const bool* may_vanish, Units* units);
 
+struct CheckedCells {
+  std::vector<FaceCode> faces;              // six a cell
+  std::map<std::string, uint64_t> numbers;  // of the cells and of X
+};
+// The conditions from B1 to W2 for a body about these volumes. model_bytes: of the file that holds them.
+CheckedCells check_cells(const std::vector<Entity>& volumes, uint64_t model_bytes,
+                         const Body& bytes);
+
 // Where the symmetry takes a place of m x n ones.
 std::pair<size_t, size_t> moved(size_t i, size_t j, size_t m, size_t n, unsigned symmetry);
 // The map of a face of the piece, taken by the symmetry: a text that is equal for maps that agree, in any degrees, up

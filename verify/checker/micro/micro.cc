@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// micro.cc: the conditions of docs/certificates/microstructure.md in their order.
+#include "micro.h"
+
+#include "../patches/star_box.h"
+#include "micro_claim.h"
+
+namespace {
+
+// The limits of this checker: of the bits of a patch's numbers, as integers with a common denominator, and of these
+// bits times coefficients of G, over all patches. The page has no such limit.
+const int64_t kMostPatchBits = 4096;
+const uint64_t kMostCoefficients = 1 << 18, kMostBitsOfG = 1 << 27;
+
+void read_hints(MicroFile* file, Bytes* bytes) {  // B1
+  require(bytes->body.begins_with("VTMS"), "B1", "another magic number");
+  require(bytes->body.count(7) == file->tiles.size(), "B1", "the file's tiles are",
+          file->tiles.size());
+  for (MicroTile& tile : file->tiles) {
+    for (Ratio& a : tile.centre) a = bytes->rational();
+    tile.exit = bytes->varint();
+    require(tile.exit < tile.patches.size(), "B1", "the exit is no patch:", tile.exit);
+  }
+}
+void check_limits(MicroFile* file) {  // B2
+  uint64_t coefficients = 0, bits = 0;
+  for (const MicroTile& tile : file->tiles) {
+    for (const Ratio& a : tile.centre)
+      require(a.n.sign() > 0 && a.n < a.d && a.d.bits() <= 64, "B2",
+              "a tile's centre is not in the open cube, or has long numbers");
+    for (const MicroPatch& s : tile.patches) coefficients += s.coefficients_of_g();
+  }
+  require(coefficients <= kMostCoefficients, "B2", "too many coefficients of G:", coefficients);
+  for (MicroTile& tile : file->tiles)
+    for (MicroPatch& s : tile.patches) {
+      std::vector<Ratio> all(1, Ratio(Big(1)));
+      all.insert(all.end(), s.points.begin(), s.points.end());
+      s.net = integers_of(all, kMostPatchBits);
+      s.scale = s.net[0];
+      s.net.erase(s.net.begin());
+      s.points = std::vector<Ratio>();
+      int64_t most = s.scale.bits();
+      for (const Big& x : s.net) most = std::max(most, x.bits());
+      bits += s.coefficients_of_g() * uint64_t(most);
+      require(bits <= kMostBitsOfG, "B2", "the numbers of the tiles are too long, bits", bits);
+    }
+}
+
+void check_cells_of(const MicroFile& file, const MicroGrid& g, const std::vector<FaceCode>& faces) {
+  bool is_collapsed[6];
+  for (size_t w = 0; w < 6; ++w)
+    is_collapsed[w] = faces[6 * g.volume + w].code == 1 && reaches(file.cage, g, w);
+  each_tile(g, [&](const size_t* i, uint64_t number, size_t t) {
+    const MicroTile& tile = file.tiles[t];
+    for (size_t w = 0; w < 6; ++w) {
+      const uint32_t k = tile.names_wall[w] ? g.number(i, w) : tile.lo;
+      require(tile.lo <= k && k <= tile.hi, "G1",
+              "the number of a wall is not in the range of its tile, of cell",
+              g.first_cell + number);
+    }
+    for (const MicroCap& cap : tile.caps) {
+      const size_t a = cap.wall / 2;
+      require(!is_collapsed[cap.wall] || i[a] != cap.wall % 2 * (g.n[a] - 1), "G2",
+              "a cap lies in a collapsed wall, of cell", g.first_cell + number);
+    }
+  });
+}
+
+}  // namespace
+
+bool reaches(const std::vector<Entity>& cage, const MicroGrid& g, size_t face) {
+  const std::vector<Ratio>&b = g.breaks[face / 2], &t = cage[g.volume].knots[face / 2];
+  return compare(face % 2 == 0 ? b[0] : b.back(), face % 2 == 0 ? t[0] : t.back()) == 0;
+}
+
+std::string check_micro(const Statement& s, std::string model, const Body& body) {
+  MicroFile file = read_micro(model);
+  model = std::string();
+  Bytes bytes(body);
+  read_hints(&file, &bytes);
+  check_limits(&file);
+  const std::vector<FaceCode> faces =
+      check_cells(file.cage, s.number.at("subject_bytes"), bytes.body).faces;
+  for (MicroTile& tile : file.tiles) {
+    check_surface(&tile);
+    check_family(tile);
+    check_caps(&tile);
+  }
+  for (const MicroGrid& g : file.grids) check_cells_of(file, g, faces);
+  const MicroNumbers n = check_meetings(file, faces);
+  return compared(s, {{"cells", file.cells},
+                      {"tiles", file.kept},
+                      {"glued_caps", n.glued_caps},
+                      {"components", n.components},
+                      {"shells", n.shells},
+                      {"genus", uint64_t(int64_t(n.shells) - n.chi)}});
+}

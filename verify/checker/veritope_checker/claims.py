@@ -24,6 +24,7 @@ OF_VMODELS = {name: int for name in (
     "cells", "pieces", "half_v_surfaces", "v_surfaces", "v_curves", "v_points", "euler", "reversed", "singular",
     "patches", "shells", "bodies", "genus", "boxes")}
 V_FINDINGS = "flat|left-handed|singular|overlap|curve-nonmanifold|point-nonmanifold"
+OF_MICROSTRUCTURES = {name: int for name in ("cells", "tiles", "glued_caps", "components", "shells", "genus")}
 OF_STARS = {**OF_PATCHES, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}
 
 CLAIMS = {claim.name: claim for claim in (
@@ -43,6 +44,7 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("collar-1", b"VTSB", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
     Claim("collar-2", b"VTS2", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
     Claim("vmodel-1", b"VTVM", VOLUMES, OF_VMODELS, "vmodel.vmodel_check"),
+    Claim("microstructure-1", b"VTMS", ("vmicro",), OF_MICROSTRUCTURES, "micro.micro_check"),
     Claim("vmodel-invalid-1", b"VTVI", VOLUMES, {"finding": V_FINDINGS, "cells": int}, "vmodel.vmodel_invalid_check"),
 )}
 

@@ -70,8 +70,10 @@ def members(value, *keys):
 
 def read_model(data, readers=None, others=OTHER_KINDS):
     """The entities: what the reader of its kind makes of each, None for the other kinds."""
-    readers = readers or {"surface": read_surface, "triangle": read_triangle}
+    return entities_of(read_json(data), readers or {"surface": read_surface, "triangle": read_triangle}, others)
 
+def read_json(data):
+    """The value that the text has in Python; its numbers are integers of at most 15 characters."""
     def unique(pairs):
         if len(dict(pairs)) != len(pairs):
             raise Refused("a key twice")
@@ -86,10 +88,13 @@ def read_model(data, readers=None, others=OTHER_KINDS):
         raise Refused("%s is no string" % text[:20])
 
     try:
-        top = json.loads(data[3 if data[:3] == b"\xef\xbb\xbf" else 0:].decode("utf-8"), object_pairs_hook=unique,
+        return json.loads(data[3 if data[:3] == b"\xef\xbb\xbf" else 0:].decode("utf-8"), object_pairs_hook=unique,
                          parse_int=integer, parse_float=no_number, parse_constant=no_number)
     except (ValueError, RecursionError) as e:
         raise Refused("no JSON: %s" % str(e)[:80])
+
+def entities_of(top, readers, others):
+    """The entities of a model that is this value."""
     form, groups, entities = members(top, "format", "groups", "entities")
     if form != "veritope-spline-1" or list(top).index("groups") > list(top).index("entities"):
         raise Refused("not veritope-spline-1, or groups behind entities")

@@ -18,10 +18,10 @@ def check(claim, statement, body, model, skip):
     Checker(statement, body, read_volumes(model, statement["subject_format"]), skip).run()
 
 class Checker:
-    """The conditions in the order of the page."""
+    """The conditions in the order of the page. body: all of a certificate's body, or a part of another claim's."""
 
     def __init__(self, statement, body, volumes, skip):
-        self.statement, self.volumes, self.skip = statement, volumes, skip
+        self.statement, self.volumes, self.skip, self.boundary = statement, volumes, skip, None
         self.cert = Certificate(body, volumes)
         self.work = allowed(statement["subject_bytes"] + len(body))
 
@@ -41,6 +41,11 @@ class Checker:
         return spend
 
     def run(self):
+        numbers = self.numbers()
+        self.boundary.compare(numbers)
+
+    def numbers(self):
+        """Tests the conditions from V1 to W2; returns the numbers of section 7."""
         cert = self.cert
         faces = [Faces(volume) for volume in self.volumes]
         self.unless_skipped(self.test_codes, faces)
@@ -54,7 +59,7 @@ class Checker:
                 gluing.see(cell, piece, counts)
                 number += 1
         self.unless_skipped(gluing.test_pairs)
-        self.test_x(self.counts(faces, gluing.pairs))
+        return self.with_x(self.counts(faces, gluing.pairs))
 
     def test_codes(self, faces):
         for f, code in enumerate(self.cert.codes):
@@ -81,8 +86,8 @@ class Checker:
                 "euler": 2 * euler if euler >= 0 else -2 * euler - 1, "reversed": sum(self.cert.flags),
                 "singular": sum(len(entry.zeros) for entry in self.cert.entries.values())}
 
-    def test_x(self, counts):
-        """Section 6, and W3."""
+    def with_x(self, counts):
+        """Section 6; these numbers and those of X."""
         entities, breaks = [], []
         for f, code in enumerate(self.cert.codes):
             if code == 0:
@@ -90,7 +95,9 @@ class Checker:
                 axes = PARAMETERS[axis][end][::-1 if self.cert.flags[cell] else 1]
                 entities.append(face_of(self.volumes[cell], axis, end, axes))
                 breaks.append([self.cert.breaks[cell][a] for a in axes])
-        Boundary(self.statement, self.cert.rest, entities, self.skip).test(counts, breaks)
+        self.boundary = Boundary(self.statement, self.cert.rest, entities, self.skip)
+        of_x = self.boundary.tested(breaks)
+        return {**counts, **{key: of_x[key] for key in ("patches", "shells", "bodies", "genus", "boxes")}}
 
 class Boundary(Checker2):
     """X: the conditions of star-box-2 for the last part of the body."""
@@ -98,9 +105,9 @@ class Boundary(Checker2):
     def __init__(self, statement, body, entities, skip):
         super().__init__(b"VTS2", statement, body, entities, skip)
 
-    def test(self, counts, breaks):
+    def tested(self, breaks):
+        """The numbers of X, of which all conditions but W3 hold."""
         self.make_patches()
         if any(self.cert.flags) or self.cert.breaks != breaks:
             self.fail("V4", "a face of X is reversed, or has other breaks than its cell")
-        of_x = self.numbers()
-        self.compare({**counts, **{key: of_x[key] for key in ("patches", "shells", "bodies", "genus", "boxes")}})
+        return self.numbers()

@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // certify for microstructures.
+#include "io/formats.h"
 #include "verify/certify/certify_kinds_internal.h"
+#include "verify/certify/micro_certifier.h"
 
 namespace veritope {
+namespace {
 
-Result<Certified> internal::certify_kind(const MicroFile&, const CertifyOptions& options) {
-  enter(Phase::kDeciding, options);
+Certified uncovered(const MicroFile& file) {
   Certified out;
-  out.verdict = Verdict::kUndecided;
-  Finding finding;
-  finding.code = "not-covered";
-  finding.message = "there are no certificates about microstructures yet";
-  out.findings.push_back(finding);
+  out.facts = micro_facts_of(file.micro);
+  out.findings.push_back(finding_of(*file.beyond_default_limits));
+  out.findings.back().code = "not-covered";
   return out;
+}
+
+}  // namespace
+
+Result<Certified> internal::certify_kind(const MicroFile& file, const CertifyOptions& options) {
+  if (file.beyond_default_limits) return uncovered(file);
+  certificate::Subject subject;
+  subject.sha256 = file.sha256;
+  subject.bytes = file.bytes;
+  subject.format = model_format(file.format).name;
+  subject.tool = options.tool;
+  return certify_microstructure(file.micro, subject, options);
 }
 
 }  // namespace veritope

@@ -26,16 +26,10 @@ class MicroCertification {
       : micro_(micro),
         subject_(subject),
         options_(options),
-        facts_(out_.facts.emplace<MicroFacts>()) {}
+        facts_(out_.facts.emplace<MicroFacts>(micro_facts_of(micro))) {}
 
   Certified run() {
     internal::enter(Phase::kDeciding, options_);
-    facts_.volumes = micro_.cage.size();
-    facts_.kinds = micro_.tiles.size();
-    for (const MicroGrid& g : micro_.grids) {
-      facts_.counts.cells += g.tiles.size();
-      for (const std::uint8_t t : g.tiles) facts_.counts.tiles += t != 0;
-    }
     for (std::size_t k = 0; k < micro_.tiles.size(); ++k)
       if (auto reason = analyse(k)) return undecided(std::move(*reason));
     if (auto reason = certify_cage()) return undecided(std::move(*reason));
@@ -149,6 +143,17 @@ class MicroCertification {
 };
 
 }  // namespace
+
+MicroFacts micro_facts_of(const Microstructure& micro) {
+  MicroFacts out;
+  out.volumes = micro.cage.size();
+  out.kinds = micro.tiles.size();
+  for (const MicroGrid& g : micro.grids) {
+    out.counts.cells += g.tiles.size();
+    for (const std::uint8_t t : g.tiles) out.counts.tiles += t != 0;
+  }
+  return out;
+}
 
 Certified certify_microstructure(const Microstructure& micro, const certificate::Subject& subject,
                                  const CertifyOptions& options) {

@@ -7,6 +7,9 @@
 
 namespace veritope {
 
+/// What is known without a proof: volumes, kinds, cells and tiles.
+MicroFacts micro_facts_of(const Microstructure& micro);
+
 /// VALID with its certificate (microstructure-1), or UNDECIDED: "not-certified", with the condition of the page that is not
 /// proved to hold and the place in the cage's parameters; or "not-covered".
 /// @param subject  the bytes of the file

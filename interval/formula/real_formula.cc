@@ -113,8 +113,9 @@ class FormulaParser {
     if (!error_) error_ = Error{code, {}, "column " + std::to_string(at + 1) + ": " + what};
     return std::nullopt;
   }
-  Node expected(const std::string& what) {
-    return fail(at_, what + " expected, but there is " + next_token());
+  // `why` completes the sentence where the symbol alone does not explain itself.
+  Node expected(const std::string& what, const std::string& why = "") {
+    return fail(at_, what + " expected, but there is " + next_token() + why);
   }
   std::string next_token() const {
     if (at_ == text_.size()) return "the end";
@@ -246,7 +247,7 @@ class FormulaParser {
     const auto function = std::find_if(kFunctions.begin(), kFunctions.end(),
                                        [&](const FormulaFunction& f) { return f.name == name; });
     if (function == kFunctions.end() && name != kRandomName) return unknown(name, begin);
-    if (!sees('(')) return expected("( after " + std::string(name));
+    if (!sees('(')) return expected("(", " after the function " + std::string(name));
     return deeper(
         [&] { return name == kRandomName ? random_value(begin) : call(*function, begin); });
   }
@@ -266,15 +267,15 @@ class FormulaParser {
     if (!value) return value;
     if (function.is_of_many) {
       if (!sees(','))
-        return expected("a comma, because " + std::string(function.name) +
-                        " has two arguments or more,");
+        return expected("a comma",
+                        ": " + std::string(function.name) + " has two arguments or more");
       while (take(',')) {
         const Node other = sum();
         if (!other) return other;
         value = add(function.op, *value, *other, begin);
       }
     } else if (sees(',')) {
-      return expected(") after the one argument of " + std::string(function.name));
+      return expected(")", ": " + std::string(function.name) + " has one argument");
     }
     if (!close(open)) return std::nullopt;
     if (!function.is_of_many) return add(function.op, *value, 0, begin);
@@ -293,10 +294,10 @@ class FormulaParser {
     if (digits.empty() || digits.size() > kMostDigits ||
         !std::all_of(digits.begin(), digits.end(), is_decimal_digit) ||
         Integer::from_decimal(digits).bit_length() > 64)
-      return expected("a seed, an integer from 0 to 18446744073709551615,");
+      return expected("a seed", ": seeds of rand are integers from 0 to 18446744073709551615");
     node.seed = Integer::from_decimal(digits).low_bits();
     take_until(at_ + digits.size());
-    if (!sees(')') && at_ < text_.size()) return expected(") after the seed");
+    if (!sees(')') && at_ < text_.size()) return expected(")", " after the seed of rand");
     return close(open) ? add(std::move(node), begin) : std::nullopt;
   }
 
@@ -315,7 +316,7 @@ class FormulaParser {
       digits += text_[end];
       exponent -= has_point ? 1 : 0;
     }
-    if (digits.empty()) return expected("a digit before or after the point");
+    if (digits.empty()) return expected("a digit beside the point");
     if (end < text_.size() && (text_[end] == 'e' || text_[end] == 'E')) {
       const std::optional<std::int64_t> written = decimal_exponent(begin, &end);
       if (!written) return std::nullopt;

@@ -13,12 +13,10 @@ bool is_nonnegative(const MpInterval& x) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return is_subset(x, MpInterval(Interval::from_bounds(0, kInfinity), MpInterval::kMinPrecision));
 }
-// Whether no member is an integer; false also where that is not known.
-bool excludes_integers(const MpInterval& x) {
+// How the members compare with the integer nearest to them; uncertain also where that is not known.
+Sign3 compare_with_integer(const MpInterval& x) {
   const std::optional<std::int64_t> n = nearest_multiple(x, 0);
-  if (!n) return false;
-  const Sign3 sign = compare(x, MpInterval(Rational(*n), 64));
-  return sign == Sign3::kNegative || sign == Sign3::kPositive;
+  return n ? compare(x, MpInterval(Rational(*n), 64)) : Sign3::kUncertain;
 }
 
 // An operand: its enclosure, and its value if that is known exactly.
@@ -61,14 +59,16 @@ WideResult wide_integer_power(const WideOperand& a, std::int64_t n) {
 WideResult wide_power(const WideOperand& a, const WideOperand& b) {
   if (b.exact && b.exact->denominator() == Integer(1))
     return wide_integer_power(a, b.exact->numerator().to_int64());
+  const Sign3 beside_integer = compare_with_integer(b.enclosure);
+  if (beside_integer == Sign3::kZero)
+    return wide_integer_power(a, *nearest_multiple(b.enclosure, 0));
   const Sign3 base = a.sign(), exponent = b.sign();
   if (base == Sign3::kPositive) return {pow(a.enclosure, b.enclosure)};
-  if (base == Sign3::kNegative) {
-    const bool is_fraction = b.exact || excludes_integers(b.enclosure);
-    return fault_at(a.enclosure, FormulaFault::kNegativeToFraction, is_fraction);
+  if (base == Sign3::kNegative || (base == Sign3::kUncertain && !is_nonnegative(a.enclosure))) {
+    const bool is_fraction = b.exact || is_certain(beside_integer);
+    return fault_at(a.enclosure, FormulaFault::kNegativeToFraction,
+                    base == Sign3::kNegative && is_fraction);
   }
-  if (base == Sign3::kUncertain && !is_nonnegative(a.enclosure))
-    return fault_at(a.enclosure, FormulaFault::kNegativeToFraction, false);
   if (exponent == Sign3::kPositive) return {pow(a.enclosure, b.enclosure)};
   const bool is_pole = base == Sign3::kZero && exponent == Sign3::kNegative;
   return fault_at(a.enclosure, FormulaFault::kZeroToNegative, is_pole);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -99,6 +100,68 @@ void divide_rational(Real& out, const Rational& x, mpfr_rnd_t direction) {
   Real numerator(std::max<mpfr_prec_t>(2, static_cast<mpfr_prec_t>(x.numerator().bit_length())));
   mpfr_set_z(numerator.get(), n.get(), MPFR_RNDN);
   mpfr_div_z(out.get(), numerator.get(), d.get(), direction);
+}
+
+// q = floor(x / (pi / 2)), exactly. Only 0 is a multiple of pi / 2, so that enough bits of pi decide.
+void quarter_of(mpfr_ptr q, const Real& x) {
+  const mpfr_exp_t exponent = mpfr_zero_p(x.get()) != 0 ? 0 : mpfr_get_exp(x.get());
+  const mpfr_prec_t integer_bits = std::max<mpfr_exp_t>(2, exponent + 2);
+  mpfr_set_prec(q, integer_bits);
+  if (mpfr_zero_p(x.get()) != 0) return static_cast<void>(mpfr_set_zero(q, 1));
+  Real other(integer_bits);
+  for (mpfr_prec_t precision = integer_bits + 64;; precision *= 2) {
+    Real half_pi(precision), low(precision), high(precision);
+    // A larger divisor makes a positive quotient smaller and a negative one larger.
+    const bool is_negative = mpfr_sgn(x.get()) < 0;
+    mpfr_const_pi(half_pi.get(), is_negative ? MPFR_RNDD : MPFR_RNDU);
+    mpfr_div_2ui(half_pi.get(), half_pi.get(), 1, MPFR_RNDN);
+    mpfr_div(low.get(), x.get(), half_pi.get(), MPFR_RNDD);
+    mpfr_const_pi(half_pi.get(), is_negative ? MPFR_RNDU : MPFR_RNDD);
+    mpfr_div_2ui(half_pi.get(), half_pi.get(), 1, MPFR_RNDN);
+    mpfr_div(high.get(), x.get(), half_pi.get(), MPFR_RNDU);
+    mpfr_rint_floor(q, low.get(), MPFR_RNDN);
+    mpfr_rint_floor(other.get(), high.get(), MPFR_RNDN);
+    if (mpfr_equal_p(q, other.get()) != 0) return;
+  }
+}
+
+// The range of a function that oscillates between -1 and 1, and reaches these at the starts of the quarters `bottom`
+// and `top` (mod 4) of a turn.
+std::unique_ptr<Bounds> wave(internal::RealFunction f, const Bounds& x, unsigned top,
+                             unsigned bottom) {
+  auto out = std::make_unique<Bounds>(x.precision());
+  if (x.is_empty()) return out->make_empty(), std::move(out);
+  const internal::MpfrScope environment;
+  bool reaches_top = true, reaches_bottom = true;
+  if (mpfr_number_p(x.lo.get()) != 0 && mpfr_number_p(x.hi.get()) != 0) {
+    Real from, to;
+    quarter_of(from.get(), x.lo);
+    quarter_of(to.get(), x.hi);
+    Real turn(mpfr_prec_t{64}), passed(mpfr_prec_t{64});
+    mpfr_sub(passed.get(), to.get(), from.get(), MPFR_RNDU);
+    const bool turns = mpfr_cmp_ui(passed.get(), 4) >= 0;
+    const auto num_passed = turns ? 4 : mpfr_get_ui(passed.get(), MPFR_RNDN);
+    mpfr_set_ui(turn.get(), 4, MPFR_RNDN);
+    mpfr_fmod(turn.get(), from.get(), turn.get(), MPFR_RNDN);
+    const auto start = static_cast<unsigned>(mpfr_get_si(turn.get(), MPFR_RNDN) + 4);
+    // Which quarters start after the lower bound, and not after the upper one?
+    reaches_top = (top + 8 - start % 4 - 1) % 4 < num_passed;
+    reaches_bottom = (bottom + 8 - start % 4 - 1) % 4 < num_passed;
+  }
+  Real other(mpfr_prec_t{x.precision()});
+  mpfr_set_si(out->lo.get(), -1, MPFR_RNDN);
+  mpfr_set_si(out->hi.get(), 1, MPFR_RNDN);
+  if (!reaches_bottom) {
+    f(out->lo.get(), x.lo.get(), MPFR_RNDD);
+    f(other.get(), x.hi.get(), MPFR_RNDD);
+    take(out->lo, other, false, true);
+  }
+  if (!reaches_top) {
+    f(out->hi.get(), x.lo.get(), MPFR_RNDU);
+    f(other.get(), x.hi.get(), MPFR_RNDU);
+    take(out->hi, other, false, false);
+  }
+  return out;
 }
 
 }  // namespace
@@ -216,6 +279,70 @@ MpInterval pown(const MpInterval& a, std::int64_t n) {
   return out;
 }
 
+MpInterval pow(const MpInterval& a, const MpInterval& b) {
+  auto out = result(*a.bounds_, *b.bounds_);
+  const Bounds &base = *a.bounds_, &exponent = *b.bounds_;
+  if (a.is_empty() || b.is_empty() || base.sign_hi() < 0)
+    return MpInterval::empty(out->precision());
+  if (base.sign_hi() == 0) {  // only 0 is left of the base
+    if (exponent.sign_hi() <= 0) out->make_empty();
+    return MpInterval(std::move(out));
+  }
+  // The logarithm of x^y is bilinear in (log x, y): its extremes lie at corners. MPFR's powers of 0 and
+  // infinity are the limits.
+  Real least(mpfr_prec_t{base.precision()}), power(mpfr_prec_t{out->precision()});
+  if (base.sign_lo() > 0) mpfr_set(least.get(), base.lo.get(), MPFR_RNDN);
+  if (base.sign_lo() <= 0) mpfr_set_zero(least.get(), 1);
+  bool first = true;
+  const Real* const bases[] = {&least, &base.hi};
+  for (const Real* x : bases)
+    for (const Real* y : {&exponent.lo, &exponent.hi}) {
+      mpfr_pow(power.get(), x->get(), y->get(), MPFR_RNDD);
+      take(out->lo, power, first, true);
+      mpfr_pow(power.get(), x->get(), y->get(), MPFR_RNDU);
+      take(out->hi, power, first, false);
+      first = false;
+    }
+  return MpInterval(std::move(out));
+}
+
+MpInterval exp(const MpInterval& a) {
+  MpInterval out(a.precision());
+  const internal::MpfrScope environment;
+  mpfr_exp(out.bounds_->lo.get(), a.bounds_->lo.get(), MPFR_RNDD);
+  mpfr_exp(out.bounds_->hi.get(), a.bounds_->hi.get(), MPFR_RNDU);
+  return out;
+}
+
+MpInterval sin(const MpInterval& a) { return MpInterval(wave(mpfr_sin, *a.bounds_, 1, 3)); }
+MpInterval cos(const MpInterval& a) { return MpInterval(wave(mpfr_cos, *a.bounds_, 0, 2)); }
+
+MpInterval abs(const MpInterval& a) {
+  if (a.is_empty() || a.bounds_->sign_lo() >= 0) return a;
+  if (a.bounds_->sign_hi() <= 0) return -a;
+  MpInterval out(a.precision());
+  const Bounds& x = *a.bounds_;
+  mpfr_abs(out.bounds_->hi.get(), (mpfr_cmpabs(x.lo.get(), x.hi.get()) > 0 ? x.lo : x.hi).get(),
+           MPFR_RNDN);
+  return out;
+}
+MpInterval min(const MpInterval& a, const MpInterval& b) {
+  auto out = result(*a.bounds_, *b.bounds_);
+  if (a.is_empty() || b.is_empty()) return MpInterval::empty(out->precision());
+  mpfr_min(out->lo.get(), a.bounds_->lo.get(), b.bounds_->lo.get(), MPFR_RNDN);
+  mpfr_min(out->hi.get(), a.bounds_->hi.get(), b.bounds_->hi.get(), MPFR_RNDN);
+  return MpInterval(std::move(out));
+}
+MpInterval max(const MpInterval& a, const MpInterval& b) { return -min(-a, -b); }
+
+MpInterval MpInterval::pi(int precision) {
+  MpInterval out(precision);
+  const internal::MpfrScope environment;
+  mpfr_const_pi(out.bounds_->lo.get(), MPFR_RNDD);
+  mpfr_const_pi(out.bounds_->hi.get(), MPFR_RNDU);
+  return out;
+}
+
 bool operator==(const MpInterval& a, const MpInterval& b) {
   if (a.is_empty() || b.is_empty()) return a.is_empty() && b.is_empty();
   return mpfr_equal_p(a.bounds_->lo.get(), b.bounds_->lo.get()) != 0 &&
@@ -249,6 +376,19 @@ Sign3 compare(const MpInterval& a, const MpInterval& b) {
 }
 bool contains(const MpInterval& a, const Rational& x) {
   return !a.is_empty() && order(a.bounds_->lo, x) <= 0 && order(a.bounds_->hi, x) >= 0;
+}
+
+std::optional<std::int64_t> nearest_multiple(const MpInterval& a, int exponent) {
+  if (!a.has_lo() || !a.has_hi()) return std::nullopt;
+  const mpfr_prec_t bits = std::max(a.precision(), 64);  // a longer number is an integer already
+  Real lo(bits), hi(bits);
+  mpfr_mul_2si(lo.get(), a.bounds_->lo.get(), -exponent, MPFR_RNDN);
+  mpfr_mul_2si(hi.get(), a.bounds_->hi.get(), -exponent, MPFR_RNDN);
+  mpfr_roundeven(lo.get(), lo.get());
+  mpfr_roundeven(hi.get(), hi.get());
+  if (mpfr_equal_p(lo.get(), hi.get()) == 0 || mpfr_fits_slong_p(lo.get(), MPFR_RNDN) == 0)
+    return std::nullopt;
+  return mpfr_get_si(lo.get(), MPFR_RNDN);
 }
 
 Sign3 MpInterval::sign() const {

@@ -4,6 +4,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "interval/interval.h"
@@ -49,6 +50,17 @@ class MpInterval {
   friend MpInterval sqrt(const MpInterval& a);
   /// For n < 0 there is one more rounding. REQUIRES n != INT64_MIN.
   friend MpInterval pown(const MpInterval& a, std::int64_t n);
+  /// The elementary functions of functions.h, with their laws. The cost of sin and cos grows with the
+  /// exponents of the bounds.
+  friend MpInterval pow(const MpInterval& a, const MpInterval& b);
+  friend MpInterval exp(const MpInterval& a);
+  friend MpInterval sin(const MpInterval& a);
+  friend MpInterval cos(const MpInterval& a);
+  /// { |x| : x in a }, { min(x, y) }, { max(x, y) }.
+  friend MpInterval abs(const MpInterval& a);
+  friend MpInterval min(const MpInterval& a, const MpInterval& b);
+  friend MpInterval max(const MpInterval& a, const MpInterval& b);
+  static MpInterval pi(int precision);
 
   friend bool operator==(const MpInterval& a, const MpInterval& b);
   friend bool is_subset(const MpInterval& a, const MpInterval& b);
@@ -57,6 +69,9 @@ class MpInterval {
   /// The sign of x - y for all members, or uncertain, like compare of relations.h.
   friend Sign3 compare(const MpInterval& a, const MpInterval& b);
   friend bool contains(const MpInterval& a, const Rational& x);
+  /// The integer n for which n 2^exponent is nearest to x, ties to even, if all members x have the same one, and it
+  /// fits int64_t; no value for the empty set.
+  friend std::optional<std::int64_t> nearest_multiple(const MpInterval& a, int exponent);
   /// The sign that all members have, or uncertain.
   Sign3 sign() const;
   /// The narrowest Interval that contains it.

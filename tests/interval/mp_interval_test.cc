@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "interval/functions.h"
 #include "interval/relations.h"
 #include "robust/base/check.h"
@@ -105,6 +108,89 @@ TEST(MpInterval, EnclosesRationalsTightlyAndKnowsEmpty) {
   copy = MpInterval(Interval::entire(), 10);
   EXPECT_FALSE(copy.has_lo() || copy.has_hi());
   EXPECT_EQ(zero.sign(), Sign3::kZero);
+}
+
+struct FunctionOfBoth {
+  MpInterval (*first)(const MpInterval&);
+  Interval (*second)(const Interval&);
+};
+const FunctionOfBoth kFunctions[] = {
+    {[](const MpInterval& x) { return sin(x); }, [](const Interval& x) { return sin(x); }},
+    {[](const MpInterval& x) { return cos(x); }, [](const Interval& x) { return cos(x); }},
+    {[](const MpInterval& x) { return exp(x); }, [](const Interval& x) { return exp(x); }},
+    {[](const MpInterval& x) { return abs(x); }, [](const Interval& x) { return abs(x); }},
+};
+
+TEST(MpInterval, With53BitsElementaryFunctionsAreThoseOfInterval) {
+  Random random(54);
+  const auto drawn = [&] {
+    const double size = std::ldexp(1.0, static_cast<int>(random.between(-20, 6)));
+    const double a = size * (2 * random.unit() - 1), b = size * (2 * random.unit() - 1);
+    return random.below(4) == 0 ? Interval(a)
+                                : Interval::from_bounds(std::min(a, b), std::max(a, b));
+  };
+  for (long i = 0; i < scaled(4000); ++i) {
+    const Interval a = drawn(), b = drawn();
+    const MpInterval x(a, 53), y(b, 53);
+    for (const auto& f : kFunctions) {
+      EXPECT_EQ(f.first(x).to_interval(), f.second(a));
+      EXPECT_TRUE(is_subset(f.first(MpInterval(a, 200)), f.first(x)));
+    }
+    EXPECT_EQ(min(x, y).to_interval(), min(a, b));
+    EXPECT_EQ(max(x, y).to_interval(), max(a, b));
+    EXPECT_EQ(pow(x, y).to_interval(), pow(a, b));
+    EXPECT_EQ(pow(x, y).is_empty(), pow(a, b).is_empty());
+    if (HasFailure()) FAIL() << i << ' ' << to_string(a) << ' ' << to_string(b);
+  }
+}
+
+TEST(MpInterval, ElementaryFunctionsEncloseOnIntervalsOfAllKinds) {
+  Random random(55);
+  for (long i = 0; i < scaled(1000); ++i) {
+    const Interval a = draw_interval(random), b = draw_interval(random);
+    const MpInterval x(a, 60), y(b, 60);
+    for (const auto& f : kFunctions) EXPECT_TRUE(is_subset(f.first(x).to_interval(), f.second(a)));
+    EXPECT_TRUE(is_subset(pow(x, y).to_interval(), pow(a, b)));
+    EXPECT_EQ(min(x, y).to_interval(), min(a, b));
+    EXPECT_EQ(max(x, y).to_interval(), max(a, b));
+    if (HasFailure()) FAIL() << i << ' ' << to_string(a) << ' ' << to_string(b);
+  }
+  const MpInterval none = MpInterval::empty(30), one(Rational(1), 30);
+  for (const auto& f : kFunctions) EXPECT_TRUE(f.first(none).is_empty());
+  EXPECT_TRUE(min(none, one).is_empty() && max(one, none).is_empty() && pow(none, one).is_empty());
+  EXPECT_TRUE(pow(-one, one).is_empty() && pow(MpInterval(30), -one).is_empty());
+}
+
+TEST(MpInterval, PiIsBetweenItsBoundsAndItsSineNear0) {
+  const MpInterval pi = MpInterval::pi(300);
+  EXPECT_TRUE(is_subset(pi, MpInterval::pi(60)));
+  EXPECT_EQ(MpInterval::pi(53).to_interval(),
+            Interval::from_bounds(0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1));
+  EXPECT_TRUE(contains(sin(pi), Rational(0)) && contains(cos(pi), Rational(-1)));
+  EXPECT_LT(sin(pi).hi() - sin(pi).lo(), Rational::power_of_two(-290));
+  // A turning point belongs to the range, and all of them belong to that of a whole turn.
+  EXPECT_EQ(sin(hull(MpInterval(Rational(1), 60), MpInterval(Rational(2), 60))).hi(), Rational(1));
+  const MpInterval turn = sin(hull(MpInterval(Rational(100), 60), MpInterval(Rational(107), 60)));
+  EXPECT_TRUE(turn.lo() == Rational(-1) && turn.hi() == Rational(1));
+}
+
+TEST(MpInterval, NearestMultiplesAreThoseOfAllMembersWithTiesToEven) {
+  const auto between = [](int a, int b, int halves) {
+    return hull(MpInterval(Rational(Integer(a), Integer(halves)), 90),
+                MpInterval(Rational(Integer(b), Integer(halves)), 90));
+  };
+  EXPECT_EQ(nearest_multiple(between(5, 5, 2), 0), 2);
+  EXPECT_EQ(nearest_multiple(between(7, 7, 2), 0), 4);
+  EXPECT_EQ(nearest_multiple(between(-5, -5, 2), 0), -2);
+  EXPECT_EQ(nearest_multiple(between(3, 5, 2), 0), 2);  // 1.5 and 2.5 are ties
+  EXPECT_EQ(nearest_multiple(between(5, 6, 2), 0), std::nullopt);
+  EXPECT_EQ(nearest_multiple(between(5, 5, 2), -1), 5);
+  EXPECT_EQ(nearest_multiple(between(5, 5, 1), 1), 2);
+  EXPECT_EQ(nearest_multiple(MpInterval::empty(30), 0), std::nullopt);
+  EXPECT_EQ(nearest_multiple(MpInterval(Interval::entire(), 30), 0), std::nullopt);
+  const MpInterval large(Rational::power_of_two(62), 3);
+  EXPECT_EQ(nearest_multiple(large, 0), std::int64_t{1} << 62);
+  EXPECT_EQ(nearest_multiple(large, -1), std::nullopt);
 }
 
 }  // namespace

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "robust/base/fp_guard.h"
+#include "solids/micro/filter/exact_contact_internal.h"
+#include "solids/micro/filter/separation_internal.h"
+#include "splines/bezier_domain.h"
+#include "splines/composition.h"
+
+namespace veritope::internal {
+
+namespace {
+
+ExactPoint exact_of(const Vec3d& p) {
+  return {Rational::from_double(p.x), Rational::from_double(p.y), Rational::from_double(p.z)};
+}
+ExactPoint exact_of(const Point3d& p) { return exact_of(Vec3d{p[0], p[1], p[2]}); }
+ExactPoint rounded_difference(const ExactPoint& a, const ExactPoint& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+ExactPoint exact_cross(const ExactPoint& a, const ExactPoint& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Rational exact_dot(const ExactPoint& a, const ExactPoint& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+bool is_zero_vector(const ExactPoint& a) {
+  return a[0].sign() == Sign::kZero && a[1].sign() == Sign::kZero && a[2].sign() == Sign::kZero;
+}
+Point3d approx_of(const ExactPoint& p) {
+  return {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
+}
+
+// The half-space normal . x >= offset.
+struct ExactHalfSpace {
+  ExactPoint normal;
+  Rational offset;
+  Rational height(const ExactPoint& p) const { return exact_dot(normal, p) - offset; }
+};
+
+ExactHalfSpace opposite_of(const ExactHalfSpace& h) {
+  return {{-h.normal[0], -h.normal[1], -h.normal[2]}, -h.offset};
+}
+
+// The part of a convex polygon in the half-space.
+std::vector<ExactPoint> clipped(const std::vector<ExactPoint>& polygon, const ExactHalfSpace& h) {
+  std::vector<ExactPoint> out;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const ExactPoint &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const Rational a = h.height(p), b = h.height(q);
+    if (a.sign() != Sign::kNegative) out.push_back(p);
+    if (to_int(a.sign()) * to_int(b.sign()) >= 0) continue;
+    const Rational t = a / (a - b);
+    ExactPoint cut;
+    for (std::size_t c = 0; c < 3; ++c) cut[c] = p[c] + t * (q[c] - p[c]);
+    out.push_back(cut);
+  }
+  return out;
+}
+
+// The control points of a piece, and what is exact about them.
+struct ExactControl {
+  std::vector<ExactPoint> points;
+  std::vector<Point3d> approx;
+  std::array<ExactPoint, 4> corners;  // in the cycle (0,0), (1,0), (1,1), (0,1)
+  /// The sides' control points lie on the segments between the corners, all of them in a plane, and the corners are a
+  /// convex quadrilateral: the piece covers it, and nothing else.
+  bool is_flat = false;
+  ExactPoint normal;  // of a flat piece
+};
+
+bool is_on_segment(const ExactPoint& p, const ExactPoint& a, const ExactPoint& b) {
+  const ExactPoint u = rounded_difference(b, a), w = rounded_difference(p, a);
+  const Rational along = exact_dot(u, w);
+  return is_zero_vector(exact_cross(u, w)) && along.sign() != Sign::kNegative &&
+         along <= exact_dot(u, u);
+}
+
+void find_flatness(const Grid<2>& grid, ExactControl* out) {
+  const auto& c = out->corners;
+  const ExactPoint n = exact_cross(rounded_difference(c[1], c[0]), rounded_difference(c[2], c[0]));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const ExactPoint turn = exact_cross(rounded_difference(c[(i + 1) % 4], c[i]),
+                                        rounded_difference(c[(i + 2) % 4], c[(i + 1) % 4]));
+    if (!is_zero_vector(exact_cross(turn, n)) || exact_dot(turn, n).sign() != Sign::kPositive)
+      return;
+  }
+  const ExactHalfSpace plane{n, exact_dot(n, c[0])};
+  for (std::size_t k = 0; k < out->points.size(); ++k) {
+    const ExactPoint& p = out->points[k];
+    if (plane.height(p).sign() != Sign::kZero) return;
+    const auto at = grid.index_of(k);
+    const bool is_first[2] = {at[0] == 0, at[1] == 0},
+               is_last[2] = {at[0] + 1 == grid.size[0], at[1] + 1 == grid.size[1]};
+    if ((is_first[1] && !is_on_segment(p, c[0], c[1])) ||
+        (is_last[0] && !is_on_segment(p, c[1], c[2])) ||
+        (is_last[1] && !is_on_segment(p, c[3], c[2])) ||
+        (is_first[0] && !is_on_segment(p, c[0], c[3])))
+      return;
+  }
+  out->is_flat = true;
+  out->normal = n;
+}
+
+// Nothing if a weight is not positive.
+std::optional<ExactControl> control_of(const BezierSurface<Rational>& piece) {
+  ExactControl out;
+  const Grid<2> grid = piece.grid();
+  for (std::size_t k = 0; k < grid.count(); ++k) {
+    ExactPoint p{piece.component(0)[k], piece.component(1)[k], piece.component(2)[k]};
+    if (piece.is_rational()) {
+      const Rational& w = piece.component(3)[k];
+      if (w.sign() != Sign::kPositive) return std::nullopt;
+      for (Rational& x : p) x /= w;
+    }
+    out.approx.push_back(approx_of(p));
+    out.points.push_back(std::move(p));
+  }
+  const std::size_t m = grid.size[0] - 1, n = grid.size[1] - 1;
+  out.corners = {out.points[grid.at({0, 0})], out.points[grid.at({m, 0})],
+                 out.points[grid.at({m, n})], out.points[grid.at({0, n})]};
+  find_flatness(grid, &out);
+  return out;
+}
+
+class FacetSeparator {
+ public:
+  FacetSeparator(const ExactControl& control) : control_(control) {
+    Box3d box = empty_box();
+    for (const Point3d& p : control.approx) add(p, &box);
+    tolerance_ = 0x1p-30 * (box.hi[0] - box.lo[0] + box.hi[1] - box.lo[1] + box.hi[2] - box.lo[2]);
+    for (std::size_t c = 0; c < 3; ++c)
+      tolerance_ += 0x1p-48 * (std::abs(box.lo[c]) + std::abs(box.hi[c]));
+    const auto& c = control.corners;
+    for (std::size_t i = 0; i < 4; ++i) edges_.push_back(rounded_difference(c[(i + 1) % 4], c[i]));
+    normal_ = exact_cross(rounded_difference(c[2], c[0]), rounded_difference(c[3], c[1]));
+  }
+
+  enum class Gap { kNone, kTouching, kApart };
+  // Whether a plane separates the piece from the facet, and if only one that touches both does, whose half-space is
+  // added to half_spaces(), which hold the piece.
+  Gap separate(const FacetCorners& facet) {
+    std::array<ExactPoint, 3> q;
+    for (std::size_t i = 0; i < 3; ++i) q[i] = exact_of(facet[i]);
+    std::array<ExactPoint, 3> sides;
+    for (std::size_t i = 0; i < 3; ++i) sides[i] = rounded_difference(q[(i + 1) % 3], q[i]);
+    for (const ExactHalfSpace& h : half_spaces_)
+      if (std::all_of(q.begin(), q.end(),
+                      [&](const ExactPoint& p) { return h.height(p).sign() != Sign::kPositive; }))
+        return Gap::kTouching;
+    const ExactPoint own = exact_cross(sides[0], sides[1]);
+    std::vector<ExactPoint> candidates{own, normal_};
+    for (std::size_t c = 0; c < 3; ++c) {
+      candidates.emplace_back();
+      candidates.back()[c] = Rational(1);
+    }
+    for (const ExactPoint& e : edges_)
+      for (const ExactPoint& s : sides) candidates.push_back(exact_cross(e, s));
+    for (const ExactPoint& s : sides) candidates.push_back(exact_cross(own, s));
+    for (const ExactPoint& e : edges_) candidates.push_back(exact_cross(normal_, e));
+    std::optional<ExactHalfSpace> touching;
+    for (const ExactPoint& n : candidates)
+      for (const bool is_reversed : {false, true}) {
+        const ExactPoint d = is_reversed ? ExactPoint{-n[0], -n[1], -n[2]} : n;
+        if (!may_separate(approx_of(d), facet)) continue;
+        Rational most = exact_dot(d, q[0]);
+        for (std::size_t i = 1; i < 3; ++i) most = std::max(most, exact_dot(d, q[i]));
+        Sign least = Sign::kPositive;
+        for (const ExactPoint& p : control_.points)
+          least = std::min(least, (exact_dot(d, p) - most).sign(),
+                           [](Sign a, Sign b) { return to_int(a) < to_int(b); });
+        if (least == Sign::kPositive) return Gap::kApart;
+        if (least == Sign::kZero && !touching) touching = ExactHalfSpace{d, most};
+      }
+    if (!touching) return Gap::kNone;
+    half_spaces_.push_back(std::move(*touching));
+    return Gap::kTouching;
+  }
+  const std::vector<ExactHalfSpace>& half_spaces() const { return half_spaces_; }
+
+ private:
+  // Whether the plane separates them, or nearly so: planes that cut deeply need no rationals.
+  bool may_separate(const Point3d& d, const FacetCorners& facet) const {
+    const auto along = [&](const Point3d& p) { return d[0] * p[0] + d[1] * p[1] + d[2] * p[2]; };
+    double most = -HUGE_VAL, least = HUGE_VAL;
+    for (const Vec3d& q : facet) most = std::max(most, along(to_point(q)));
+    for (const Point3d& p : control_.approx) least = std::min(least, along(p));
+    const double size = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]);
+    return size > 0 && least >= most - tolerance_ * size;
+  }
+
+  const ExactControl& control_;
+  double tolerance_ = 0;
+  std::vector<ExactPoint> edges_;
+  ExactPoint normal_;
+  std::vector<ExactHalfSpace> half_spaces_;
+};
+
+// A point that a flat piece and a facet have in common.
+std::optional<ExactPoint> common_point(const ExactControl& flat, const FacetCorners& facet) {
+  std::vector<ExactPoint> polygon;
+  for (const Vec3d& q : facet) polygon.push_back(exact_of(q));
+  const auto& c = flat.corners;
+  const ExactHalfSpace plane{flat.normal, exact_dot(flat.normal, c[0])};
+  polygon = clipped(clipped(polygon, plane), opposite_of(plane));
+  for (std::size_t i = 0; i < 4 && !polygon.empty(); ++i) {
+    const ExactPoint n = exact_cross(flat.normal, rounded_difference(c[(i + 1) % 4], c[i]));
+    polygon = clipped(polygon, {n, exact_dot(n, c[i])});
+  }
+  if (polygon.empty()) return std::nullopt;
+  return polygon.front();
+}
+
+// A point of all open half-spaces, such that the facets not in `touching` miss the hull of it and the piece.
+std::optional<ExactPoint> point_beside(const TileFilter::Model& model, const TilePiece& piece,
+                                       const ExactControl& control,
+                                       const std::vector<ExactHalfSpace>& half_spaces,
+                                       std::span<const std::uint32_t> touching) {
+  Point3d direction{};
+  for (const ExactHalfSpace& h : half_spaces) {
+    const Point3d n = approx_of(h.normal);
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    for (std::size_t c = 0; c < 3; ++c) direction[c] += n[c] / length;
+  }
+  const Point3d diagonal = approx_of(rounded_difference(control.corners[2], control.corners[0]));
+  const double size = std::abs(diagonal[0]) + std::abs(diagonal[1]) + std::abs(diagonal[2]);
+  ExactPoint middle;
+  for (std::size_t c = 0; c < 3; ++c)
+    for (const ExactPoint& p : control.corners) middle[c] += p[c] / Rational(4);
+  for (const int exponent : {-3, -8, -16, -26}) {
+    const double step = std::ldexp(size, exponent);
+    ExactPoint z = middle;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!std::isfinite(step * direction[c])) return std::nullopt;
+      z[c] += Rational::from_double(step * direction[c]);
+    }
+    // A coordinate with few bits is cheaper, and as good.
+    const Point3d near = approx_of(z);
+    if (!std::isfinite(near[0] + near[1] + near[2])) return std::nullopt;
+    if (std::all_of(half_spaces.begin(), half_spaces.end(), [&](const ExactHalfSpace& h) {
+          return h.height(exact_of(near)).sign() == Sign::kPositive;
+        }))
+      z = exact_of(near);
+    if (!std::all_of(half_spaces.begin(), half_spaces.end(), [&](const ExactHalfSpace& h) {
+          return h.height(z).sign() == Sign::kPositive;
+        }))
+      return std::nullopt;
+    const GrownHull hull(piece, Box3(enclose(z[0]), enclose(z[1]), enclose(z[2])));
+    bool is_free = true;
+    model.visit_facets(hull.box(), [&](std::uint32_t f) {
+      is_free = is_free && (std::binary_search(touching.begin(), touching.end(), f) ||
+                            hull.is_apart(model.corners(f)));
+    });
+    if (is_free) return z;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+BezierSurface<Rational> ExactPatches::piece(const TilePiece& piece) {
+  if (!map_) {
+    map_ = *cell_.map;
+    for (std::size_t a = 0; a < 3; ++a) map_ = restricted(*map_, a, cell_.lo[a], cell_.hi[a]);
+    patches_.resize(tile_.patches().size());
+  }
+  auto& patch = patches_[piece.patch];
+  if (!patch) patch = compose(*map_, tile_.patches()[piece.patch].exact).value();
+  BezierSurface<Rational> out = *patch;
+  for (std::size_t a = 0; a < 2; ++a)
+    out = restricted(out, a, piece.parameter(a, 0), piece.parameter(a, std::size_t{1} << a));
+  return out;
+}
+
+PieceSide exact_side(const TileFilter::Model& model, const TilePiece& piece,
+                     const BezierSurface<Rational>& exact, std::span<const std::uint32_t> facets,
+                     std::optional<ExactPoint>* contact) {
+  const std::optional<ExactControl> control = control_of(exact);
+  if (!control) return PieceSide::kOpen;
+  FacetSeparator separator(*control);
+  std::vector<std::uint32_t> touching;
+  for (const std::uint32_t f : facets) {
+    const FacetSeparator::Gap gap = separator.separate(model.corners(f));
+    if (gap == FacetSeparator::Gap::kNone) return PieceSide::kOpen;
+    if (gap == FacetSeparator::Gap::kTouching) touching.push_back(f);
+  }
+  if (touching.empty()) return PieceSide::kApart;
+  std::sort(touching.begin(), touching.end());
+  const std::optional<ExactPoint> z =
+      point_beside(model, piece, *control, separator.half_spaces(), touching);
+  if (!z) return PieceSide::kOpen;
+  const PointAnswer answer = model.classifier().classify(*z);
+  if (answer.is_on()) return PieceSide::kOpen;
+  for (const ExactPoint& p : control->corners)
+    if (!*contact && model.classifier().classify(p).is_on()) *contact = p;
+  for (std::size_t i = 0; i < touching.size() && control->is_flat && !*contact; ++i)
+    *contact = common_point(*control, model.corners(touching[i]));
+  return answer.winding != 0 ? PieceSide::kInside : PieceSide::kOff;
+}
+
+}  // namespace veritope::internal

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/micro/filter/tile_filter.h: does the tile of a cell lie in a solid that a mesh bounds? FilterTilesToM of the
+// microstructure paper, with proofs. Theory: docs/THEORY.md, microstructures.  Design:
+// docs/design/0074-filtering-tiles.md.
+#pragma once
+#include <array>
+#include <memory>
+
+#include "robust/base/result.h"
+#include "solids/micro/filter/cell_status.h"
+#include "solids/micro/filter/tile_shape.h"
+#include "solids/polyhedron/triangle_mesh.h"
+#include "splines/bezier.h"
+
+namespace veritope {
+
+/// What a cell may cost before it is undecided.
+struct TileFilterLimits {
+  int max_pieces = 20000;     ///< parts of patches, all together
+  int max_depth = 90;         ///< halvings of one patch
+  int max_exact_pieces = 64;  ///< parts whose contact with facets is examined in rationals
+};
+
+/// The part [lo, hi] of the domain of a map of [0,1]^3 into space, rational or polynomial: the tile in [0,1]^3 is first
+/// stretched to the part, then mapped. The map must outlive it.
+struct CellMap {
+  const BezierVolume<Rational>* map = nullptr;
+  PatchPoint lo{Rational(0), Rational(0), Rational(0)};
+  PatchPoint hi{Rational(1), Rational(1), Rational(1)};
+
+  /// The image of a point of [0,1]^3. REQUIRES a weight that is not 0 there.
+  ExactPoint image(const PatchPoint& at) const;
+  ExactPoint image(const TileShape& tile, const TilePoint& at) const;
+};
+
+/// Filters tiles against one mesh. Immutable: threads may share it.
+/// Laws: (1) a status other than undecided is right; (2) it depends on the cell and its tile alone.
+class TileFilter {
+ public:
+  /// REQUIRES a mesh that bounds a solid (certified valid), finite, with fewer than 2^30 faces. The mesh must outlive
+  /// the filter.
+  /// @error as MeshClassifier::make
+  /// @cost  near-linear in the facets; approximately 400 bytes a facet
+  static Result<TileFilter> make(const TriangleMesh& mesh);
+  static Result<TileFilter> make(TriangleMesh&&) = delete;
+
+  TileFilter(TileFilter&&) noexcept;
+  ~TileFilter();
+
+  /// REQUIRES a map with three coordinates that is one to one on the cell, as the map of a certified cage is, and lo <
+  /// hi.
+  /// @cost without facets near the cell a look-up; else the facets near times the pieces that come close to them
+  CellFinding find(const CellMap& cell, const TileShape& tile,
+                   const TileFilterLimits& limits = {}) const;
+  CellStatus status(const CellMap& cell, const TileShape& tile) const {
+    return find(cell, tile).status;
+  }
+
+  class Model;
+  const Model& model() const { return *model_; }
+
+ private:
+  explicit TileFilter(std::unique_ptr<const Model> model);
+  std::unique_ptr<const Model> model_;
+};
+
+}  // namespace veritope

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "interval/box_geometry.h"
+#include "solids/micro/filter/separation_internal.h"
+#include "solids/micro/filter/tile_walk_internal.h"
+#include "solids/micro/filter/tile_winding_internal.h"
+
+namespace veritope::internal {
+
+namespace {
+
+// Parts of patches up to this depth are visited breadth first, because a tile that crosses the surface deeply shows it
+// early; after that depth first, because a shallow crossing shows itself only to small parts.
+constexpr int kBreadthFirstDepth = 6;
+constexpr int kMaxShellVertices = 64;
+
+}  // namespace
+
+// Where the image of a corner lies, as far as its box shows that.
+Value3 TileWalk::note(const TilePiece& piece, std::size_t corner) {
+  const Value3 value = model_.value(outer_box(piece.corners[corner]));
+  auto& witness = value == Value3::kOne ? inside_ : off_;
+  if (is_constant(value) && !witness)
+    witness = TilePoint{piece.patch, piece.parameter(0, corner), piece.parameter(1, corner)};
+  return value;
+}
+
+// The same without boxes. REQUIRES a point off the surface of M.
+void TileWalk::note_exactly(const TilePoint& at) {
+  const PointAnswer answer = model_.classifier().classify(cell_.image(tile(), at));
+  VT_CHECK(!answer.is_on(), "a point of a part that misses the surface lies on it");
+  auto& witness = answer.winding != 0 ? inside_ : off_;
+  if (!witness) witness = at;
+}
+
+void TileWalk::note_corners() {
+  corner_values_.assign(pieces_.corners().size(), Value3::kMixed);
+  std::vector<char> is_noted(pieces_.corners().size());
+  for (std::uint32_t i = 0; i < tile().patches().size(); ++i) {
+    const auto& corners = tile().patches()[i].corners;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (is_noted[corners[k]] != 0) continue;
+      is_noted[corners[k]] = 1;
+      const Value3 value = model_.value(outer_box(pieces_.corners()[corners[k]]));
+      corner_values_[corners[k]] = value;
+      auto& witness = value == Value3::kOne ? inside_ : off_;
+      if (is_constant(value) && !witness) witness = TilePoint{i, Rational(k & 1), Rational(k >> 1)};
+      if (is_crossing()) return;
+    }
+  }
+}
+
+// Removes the facets that are apart from the piece.
+void TileWalk::keep_close(OpenPiece* open) const {
+  const GrownHull hull(open->piece);
+  std::erase_if(open->facets, [&](std::uint32_t f) { return hull.is_apart(model_.corners(f)); });
+}
+
+void TileWalk::open_patches() {
+  const auto n = static_cast<std::uint32_t>(tile().patches().size());
+  is_patch_apart_.assign(n, 0);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    OpenPiece open{pieces_.root(i), {}};
+    model_.visit_facets(box_of(open.piece), [&](std::uint32_t f) { open.facets.push_back(f); });
+    keep_close(&open);
+    ++num_pieces_;
+    if (open.facets.empty()) {
+      is_patch_apart_[i] = 1;
+    } else {
+      open_.push_back(std::move(open));
+    }
+  }
+}
+
+// Whether no facet enters the hull of the piece's corners, and one nearly touches it, so that rationals may show more.
+// Approximate.
+bool TileWalk::looks_like_contact(const OpenPiece& open) const {
+  const Box3d box = box_of(open.piece);
+  double size = 0, scale = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    size += box.hi[c] - box.lo[c];
+    scale += std::abs(box.hi[c]) + std::abs(box.lo[c]);
+  }
+  const GrownHull hull(open.piece);
+  const double tolerance = 0x1p-20 * size + 0x1p-46 * scale;
+  bool is_near = false;
+  for (const std::uint32_t f : open.facets) {
+    const FacetCorners& facet = model_.corners(f);
+    if (!hull.may_have_gap(facet, -tolerance)) return false;
+    is_near = is_near || !hull.may_have_gap(facet, tolerance);
+  }
+  return is_near;
+}
+
+// Whether nothing is left to be asked about the piece.
+bool TileWalk::settle(OpenPiece* open) {
+  if (open->facets.empty()) {
+    apart_.push_back(open->piece);
+    return true;
+  }
+  if (num_exact_ >= limits_.max_exact_pieces || !looks_like_contact(*open)) return false;
+  ++num_exact_;
+  switch (exact_side(model_, open->piece, exact_.piece(open->piece), open->facets, &contact_)) {
+    case PieceSide::kApart: apart_.push_back(open->piece); return true;
+    case PieceSide::kInside: touches_inside_ = true; return true;
+    case PieceSide::kOff: touches_off_ = true; return true;
+    default: return false;
+  }
+}
+
+void TileWalk::halve(const OpenPiece& open, std::vector<OpenPiece>* out) {
+  std::size_t axis = 0;
+  auto parts = pieces_.halves(open.piece, &axis);
+  const std::size_t bit = std::size_t{1} << axis, other = 3 - bit;
+  for (const std::size_t corner : {bit, bit | other}) note(parts.first, corner);
+  for (TilePiece* part : {&parts.first, &parts.second}) {
+    out->push_back({std::move(*part), open.facets});
+    keep_close(&out->back());
+    ++num_pieces_;
+  }
+}
+
+void TileWalk::visit_breadth_first() {
+  for (int depth = 0; depth < kBreadthFirstDepth; ++depth) {
+    std::vector<OpenPiece> next;
+    for (OpenPiece& open : open_) {
+      if (settle(&open)) continue;
+      if (num_pieces_ >= limits_.max_pieces) {
+        has_unsettled_ = true;
+        continue;
+      }
+      halve(open, &next);
+      if (is_crossing()) return;
+    }
+    open_ = std::move(next);
+  }
+}
+
+// Each piece that is still open gets an equal share of the pieces that are left.
+void TileWalk::visit_depth_first() {
+  std::vector<OpenPiece> roots = std::move(open_);
+  open_.clear();
+  for (std::size_t i = 0; i < roots.size() && !is_crossing(); ++i) {
+    const int left = limits_.max_pieces - num_pieces_;
+    const int last = num_pieces_ + left / static_cast<int>(roots.size() - i);
+    std::vector<OpenPiece> stack;
+    stack.push_back(std::move(roots[i]));
+    while (!stack.empty() && !is_crossing()) {
+      OpenPiece open = std::move(stack.back());
+      stack.pop_back();
+      if (settle(&open)) continue;
+      if (!open.piece.can_halve() || open.piece.depth() >= limits_.max_depth ||
+          num_pieces_ >= last) {
+        has_unsettled_ = true;
+        if (num_pieces_ >= last) break;
+        continue;
+      }
+      halve(open, &stack);
+    }
+  }
+}
+
+CellFinding TileWalk::found(CellStatus status) const {
+  CellFinding out;
+  out.status = status;
+  out.inside = inside_;
+  out.off = off_;
+  if (status == CellStatus::kTouching) out.contact = contact_;
+  return out;
+}
+
+// Vertices of shells in the tile. Nothing if every shell has a vertex off the tile.
+std::optional<CellFinding> TileWalk::find_shells_inside(bool is_touching) {
+  Box3d box = empty_box();
+  for (std::uint32_t i = 0; i < tile().patches().size(); ++i)
+    box = hull(box, box_of(pieces_.root(i)));
+  std::optional<CellFinding> out;
+  model_.visit_shells(box, [&](std::uint32_t shell) {
+    if (out && out->status == CellStatus::kCrossing) return;
+    const auto vertices = model_.shell_vertices(shell);
+    // A shell that does not meet the tile's surface lies on one side of it: any vertex tells.
+    const std::size_t step =
+        is_touching ? std::max<std::size_t>(1, vertices.size() / kMaxShellVertices) : 1;
+    int num_tried = 0;
+    for (std::size_t i = 0; i < vertices.size() && num_tried < kMaxShellVertices; i += step) {
+      ++num_tried;
+      const Vec3d& p = model_.position(vertices[i]);
+      const std::optional<bool> is_in =
+          meets({to_point(p), to_point(p)}, box) ? is_in_tile(pieces_, p) : false;
+      if (!is_in) continue;
+      if (!*is_in) return;
+      out = found(CellStatus::kCrossing);
+      out->vertex = vertices[i];
+      return;
+    }
+    out = found(CellStatus::kUndecided);
+  });
+  return out;
+}
+
+CellFinding TileWalk::finish() {
+  if (is_crossing()) return found(CellStatus::kCrossing);
+  if (has_unsettled_) return found(CellStatus::kUndecided);
+  const bool is_touching = touches_inside_ || touches_off_;
+  // One point of every part that misses the surface of M.
+  for (std::uint32_t i = 0; i < is_patch_apart_.size() && !is_crossing(); ++i) {
+    if (is_patch_apart_[i] == 0) continue;
+    const auto& corners = tile().patches()[i].corners;
+    if (std::none_of(corners.begin(), corners.end(),
+                     [&](std::uint32_t c) { return is_constant(corner_values_[c]); }))
+      note_exactly({i, Rational(0), Rational(0)});
+  }
+  for (std::size_t i = 0; i < apart_.size() && !is_crossing(); ++i) {
+    const TilePiece& piece = apart_[i];
+    bool is_known = false;
+    for (std::size_t k = 0; k < 4 && !is_known; ++k) is_known = is_constant(note(piece, k));
+    if (!is_known) note_exactly({piece.patch, piece.parameter(0, 0), piece.parameter(1, 0)});
+  }
+  if (is_crossing()) return found(CellStatus::kCrossing);
+  if ((touches_inside_ && (touches_off_ || off_)) || (touches_off_ && inside_))
+    return found(CellStatus::kUndecided);
+  const bool is_inside = touches_inside_ || inside_;
+  if (std::optional<CellFinding> shell = find_shells_inside(is_touching)) return *shell;
+  if (!is_touching) return found(is_inside ? CellStatus::kKept : CellStatus::kOutside);
+  return found(contact_ ? CellStatus::kTouching : CellStatus::kUndecided);
+}
+
+CellFinding TileWalk::run() {
+  note_corners();
+  if (is_crossing()) return found(CellStatus::kCrossing);
+  if (!pieces_.bound()) return found(CellStatus::kUndecided);
+  open_patches();
+  visit_breadth_first();
+  visit_depth_first();
+  return finish();
+}
+
+}  // namespace veritope::internal

@@ -172,68 +172,68 @@ TEST(Micro, EachRefusalHasItsLineAndItsValue) {
       {"[\"0\", \"0\", \"1\", \"3\", \"3\"]", "[\"-1\", \"0\", \"1\", \"3\", \"3\"]",
        "bad-argument@5: volume 0 of the cage: axis 0 is not clamped"},
       {"{\"volume\": 0", "{\"volume\": 1",
-       "over-limit@21: the volume of a grid must be an integer from 0 to 0, not '1'"},
+       "over-limit@24: the volume of a grid must be an integer from 0 to 0, not '1'"},
       {"{\"volume\": 0", "{\"volume\": -1",
-       "syntax@21: the volume of a grid must be an integer from 0 to 0, not '-1'"},
-      {"{\"volume\": 0", "{\"volume\": 0.0", "syntax@21: "},
-      {"{\"volume\": 0", "{\"volume\": 00", "syntax@21: "},
+       "syntax@24: the volume of a grid must be an integer from 0 to 0, not '-1'"},
+      {"{\"volume\": 0", "{\"volume\": 0.0", "syntax@24: "},
+      {"{\"volume\": 0", "{\"volume\": 00", "syntax@24: "},
       {"[\"0\", \"1\", \"2\", \"3\"]", "[\"0\"]",
-       "bad-argument@21: grid 0: axis 0: at least 2 breaks are needed, and there are 1"},
+       "bad-argument@24: grid 0: axis 0: at least 2 breaks are needed, and there are 1"},
       {"[\"0\", \"1\", \"2\", \"3\"]", "[\"0\", \"1\", \"1\", \"3\"]",
-       "bad-argument@21: grid 0: axis 0: break 2, 1, is not above the one before it, 1"},
+       "bad-argument@24: grid 0: axis 0: break 2, 1, is not above the one before it, 1"},
       {"[\"0\", \"1\", \"2\", \"3\"]", "[\"0\", \"1\", \"2\", \"4\"]",
-       "bad-argument@21: grid 0: axis 0: the break 4 is not in the domain from 0 to 3"},
+       "bad-argument@24: grid 0: axis 0: the break 4 is not in the domain from 0 to 3"},
       {"[\"0\", \"1\", \"2\", \"3\"]", "[\"-1\", \"1\", \"2\", \"3\"]",
-       "bad-argument@21: grid 0: axis 0: the break -1 is not in the domain from 0 to 3"},
+       "bad-argument@24: grid 0: axis 0: the break -1 is not in the domain from 0 to 3"},
       {"[\"0\", \"1\", \"2\", \"3\"]", "[\"0\", \"3/2\", \"2\", \"3\"]",
-       "bad-argument@21: grid 0: axis 0: the knot 1 is no break"},
-      {"[\"0\", \"1\"], [\"0\", \"1\"]]}],", "[\"0\", \"1\"]]}],", "syntax@21: "},
+       "bad-argument@24: grid 0: axis 0: the knot 1 is no break"},
+      {"[\"0\", \"1\"], [\"0\", \"1\"]]}],", "[\"0\", \"1\"]]}],", "syntax@24: "},
       {"\"range\": [0,1048576]", "\"range\": [2,1]",
-       "bad-argument@23: tile 0: the range from 2 to 1 is no range between 0 and 1048576"},
+       "bad-argument@26: tile 0: the range from 2 to 1 is no range between 0 and 1048576"},
       {"\"range\": [0,1048576]", "\"range\": [0,1048577]",
-       "over-limit@23: an end of a range must be an integer from 0 to 1048576, not '1048577'"},
+       "over-limit@26: an end of a range must be an integer from 0 to 1048576, not '1048577'"},
       {"\"range\": [0,1048576]", "\"range\": null",
-       "bad-argument@23: tile 0: a patch names a wall, and there is no range"},
+       "bad-argument@26: tile 0: a patch names a wall, and there is no range"},
       {"\"range\": null", "\"range\": [0,0]",
-       "bad-argument@24: tile 1: it has a range, and no patch names a wall"},
+       "bad-argument@27: tile 1: it has a range, and no patch names a wall"},
       {"\"wall\": 0", "\"wall\": 6",
-       "over-limit@23: the wall of a patch must be an integer from 0 to 5, not '6'"},
+       "over-limit@26: the wall of a patch must be an integer from 0 to 5, not '6'"},
       {"\"wall\": 0", "\"wall\": null",
-       "bad-argument@23: tile 0: patch 0: it names no wall and has 2 lists of points, not 1"},
+       "bad-argument@26: tile 0: patch 0: it names no wall and has 2 lists of points, not 1"},
       {"\"degrees\": [1,1]", "\"degrees\": [1,2]",
-       "bad-argument@23: tile 0: patch 0: list 0 has 4 points, and the degrees (1, 2) need 6"},
+       "bad-argument@26: tile 0: patch 0: list 0 has 4 points, and the degrees (1, 2) need 6"},
       {"\"degrees\": [1,1]", "\"degrees\": [1,0]",
-       "bad-argument@23: tile 0: patch 0: a degree must be from 1 to 7, not 0"},
-      {"\"degrees\": [1,1]", "\"degrees\": [1]", "syntax@23: ',' expected, but there is ']'"},
-      {"\"3/8\"", "\"3/0\"", "syntax@23: a number expected, but there is '3/0'"},
-      {"\"3/8\"", "0.5", "syntax@23: a string expected, but there is '0.5'"},
-      {"[\"c\", \"2\"]", "[\"c\", \"6\"]", "syntax@26: grid 0: cell 1 holds the tiles 0 and 1"},
+       "bad-argument@26: tile 0: patch 0: a degree must be from 1 to 7, not 0"},
+      {"\"degrees\": [1,1]", "\"degrees\": [1]", "syntax@26: ',' expected, but there is ']'"},
+      {"\"3/8\"", "\"3/0\"", "not-finite@26: the number '3/0' is not finite"},
+      {"\"3/8\"", "0.5", "syntax@26: a string expected, but there is '0.5'"},
+      {"[\"c\", \"2\"]", "[\"c\", \"6\"]", "syntax@29: grid 0: cell 1 holds the tiles 0 and 1"},
       {"[\"c\", \"2\"]", "[\"c\", \"3\"]",
-       "syntax@26: grid 0: the bit of cell 3 is set, and there are 3 cells"},
+       "syntax@29: grid 0: the bit of cell 3 is set, and there are 3 cells"},
       {"[\"c\", \"2\"]", "[\"c\", \"\"]",
-       "syntax@26: grid 0: digit 0 of 1 of the cells that hold tile 1 must be a lower-case "
+       "syntax@29: grid 0: digit 0 of 1 of the cells that hold tile 1 must be a lower-case "
        "hexadecimal digit, not '\"'"},
-      {"[\"c\", \"2\"]", "[\"C\", \"2\"]", "syntax@26: grid 0: digit 0 of 1 "},
+      {"[\"c\", \"2\"]", "[\"C\", \"2\"]", "syntax@29: grid 0: digit 0 of 1 "},
       {"[\"c\", \"2\"]", "[\"c0\", \"2\"]",
-       "syntax@26: grid 0: the end of a string expected after 1 digits, but there is '0'"},
-      {"[\"c\", \"2\"]", "[\"c\"]", "syntax@26: ',' expected, but there is ']'"},
-      {"[\"c\", \"2\"]", "[\"c\", \"2\", \"0\"]", "syntax@26: ']' expected, but there is ','"},
-      {"[\"c\", \"2\"]],", "],", "syntax@26: '[' expected, but there is ']'"},
+       "syntax@29: grid 0: the end of a string expected after 1 digits, but there is '0'"},
+      {"[\"c\", \"2\"]", "[\"c\"]", "syntax@29: ',' expected, but there is ']'"},
+      {"[\"c\", \"2\"]", "[\"c\", \"2\", \"0\"]", "syntax@29: ']' expected, but there is ','"},
+      {"[\"c\", \"2\"]],", "],", "syntax@29: '[' expected, but there is ']'"},
       {"524288,", "1048577,",
-       "over-limit@28: the number of a wall must be an integer from 0 to 1048576, not '1048577'"},
-      {"524288,", "99999999999999999999,", "over-limit@28: the number of a wall must be "},
-      {"524288,", "-1,", "syntax@28: the number of a wall must be "},
-      {"524288,", "01,", "syntax@28: the number of a wall must be "},
-      {"524288,", "1.0,", "syntax@28: the number of a wall must be "},
-      {"524288,", "1e3,", "syntax@28: the number of a wall must be "},
-      {"524288,", "", "syntax@28: ',' expected, but there is ']'"},
-      {"524288,", "524288,0,", "syntax@28: ']' expected, but there is ','"},
-      {"524288,", ",", "syntax@28: the number of a wall must be an integer from 0 to 1048576, not"},
+       "over-limit@31: the number of a wall must be an integer from 0 to 1048576, not '1048577'"},
+      {"524288,", "99999999999999999999,", "over-limit@31: the number of a wall must be "},
+      {"524288,", "-1,", "syntax@31: the number of a wall must be "},
+      {"524288,", "01,", "syntax@31: the number of a wall must be "},
+      {"524288,", "1.0,", "syntax@31: the number of a wall must be "},
+      {"524288,", "1e3,", "syntax@31: the number of a wall must be "},
+      {"524288,", "", "syntax@31: ',' expected, but there is ']'"},
+      {"524288,", "524288,0,", "syntax@31: ']' expected, but there is ','"},
+      {"524288,", ",", "syntax@31: the number of a wall must be an integer from 0 to 1048576, not"},
       {"[[524288,262144,1048576,0], [0,0,0,0,0,0], [0,0,0,0,0,0]]", "",
-       "syntax@28: '[' expected, but there is ']'"},
+       "syntax@31: '[' expected, but there is ']'"},
       {"\"model\": {\"name\": \"a bar\"", "\"model\": {\"name\": \"\xFF\"",
        "syntax@2: a string is not UTF-8"},
-      {"]]]}\n", "]]]}\n}", "syntax@29: the end of the file expected, but there is '}'"},
+      {"]]]}\n", "]]]}\n}", "syntax@32: the end of the file expected, but there is '}'"},
   };
   for (const auto& c : cases) {
     SCOPED_TRACE(c.from + " -> " + c.to);
@@ -247,13 +247,13 @@ TEST(Micro, WallsWithoutATileHaveTheNumber0) {
   EXPECT_EQ(said(parse_micro(text)), "ok");  // each wall of the empty cell has a neighbour
   text = changed("[\"8\", \"2\"]", "[\"8\", \"0\"]", text);
   EXPECT_EQ(said(parse_micro(text)),
-            "bad-argument@28: grid 0: axis 0: wall 2 has the number 1048576, and no neighbour "
+            "bad-argument@31: grid 0: axis 0: wall 2 has the number 1048576, and no neighbour "
             "holds a tile");
   text = changed("1048576,0], [0", "0,0], [0", text);
   EXPECT_EQ(said(parse_micro(text)), "ok");
   text = changed("], [0,0,0,0,0,0]", "], [1,1,0,0,0,7]", text);
   EXPECT_EQ(said(parse_micro(text)),
-            "bad-argument@28: grid 0: axis 1: wall 5 has the number 7, and no neighbour holds a "
+            "bad-argument@31: grid 0: axis 1: wall 5 has the number 7, and no neighbour holds a "
             "tile");
 }
 
@@ -261,7 +261,7 @@ TEST(Micro, WallsAreEmptyWithoutRanges) {
   const std::string text = micro_of(volume_of(), kUnitGrid, tile_of(patch_of(1, 1, 4)), "[\"8\"]");
   EXPECT_EQ(said(parse_micro(text)), "ok");
   EXPECT_EQ(said(parse_micro(changed("\"walls\": []", "\"walls\": [[[0,0], [0,0], [0,0]]]", text))),
-            "syntax@6: ']' expected, but there is '['");
+            "syntax@7: ']' expected, but there is '['");
 }
 
 TEST(Micro, TheKeysComeInTheirOrder) {
@@ -288,11 +288,11 @@ TEST(Micro, GridsComeByVolumesAndDoNotOverlap) {
   EXPECT_EQ(with_grids(grid(0, R"(["1", "2"])")), "ok");
   EXPECT_EQ(with_grids(kUnitGrid, grid(0, R"(["1", "2"])")), "ok");
   EXPECT_TRUE(with_grids(kUnitGrid, grid(1, R"(["0", "1"])"))
-                  .starts_with("bad-argument@4: grid 1: its volume, 0, is below that of the grid "
+                  .starts_with("bad-argument@6: grid 1: its volume, 0, is below that of the grid "
                                "before it, 1"));
   for (const char* x : {R"(["0", "1"])", R"(["1/2", "2"])", R"(["1/3", "1/2"])", R"(["0", "2"])"})
     EXPECT_EQ(with_grids(grid(0, x)),
-              "bad-argument@4: the boxes of the grids 0 and 1 of volume 0 have inner points in "
+              "bad-argument@6: the boxes of the grids 0 and 1 of volume 0 have inner points in "
               "common")
         << x;
 }
@@ -368,7 +368,7 @@ TEST(Micro, LimitsOfVolumesGridsAndCellsHoldAtTheirNumbers) {
       with_cells(grid).starts_with("truncated@6: grid 0: 33554432 digits are needed, and only "));
   EXPECT_EQ(
       with_cells(grid + ",\n" + R"({"volume": 0, "breaks": [)" + repeated(one, 3, ", ") + "]}"),
-      "over-limit@4: grid 1: the grids have more than 134217728 cells");
+      "over-limit@5: grid 1: the grids have more than 134217728 cells");
 }
 
 TEST(Micro, AnnouncedWallsAreNotAllocated) {
@@ -382,7 +382,7 @@ TEST(Micro, AnnouncedWallsAreNotAllocated) {
   const std::string digits(3 * 512 * 512 / 4, '0');
   text = changed("[\"c\", \"2\"]", "[\"" + digits + "\", \"" + digits + "\"]", text);
   const std::string answer = said(parse_micro(text));
-  EXPECT_TRUE(answer.starts_with("truncated@28: 1048576 numbers of walls are announced, but only "))
+  EXPECT_TRUE(answer.starts_with("truncated@31: 1048576 numbers of walls are announced, but only "))
       << answer;
 }
 

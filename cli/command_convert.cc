@@ -157,10 +157,10 @@ ExitCode run(const ConvertOptions& options, StandardOutput& out) {
   if (kind == ModelKind::kSplines) return convert_splines(input, options, out);
   if (kind == ModelKind::kMicro) return convert_micro(input, options, out);
   if (kind != ModelKind::kMesh)
-    return fail(Error{
-        Code::kBadArgument,
-        {},
-        "convert writes meshes, splines and microstructures; " + options.input.files[0] + " is " + title_of(kind)});
+    return fail(Error{Code::kBadArgument,
+                      {},
+                      "convert writes meshes, splines and microstructures; " +
+                          options.input.files[0] + " is " + title_of(kind)});
   if (options.chord) return fail(bad_argument("--chord is for splines"));
   if (options.faces) return fail(bad_argument("--faces is for splines"));
   if (options.rejoin) return fail(bad_argument("--rejoin is for splines"));
@@ -186,7 +186,8 @@ ExitCode run(const ConvertOptions& options, StandardOutput& out) {
 }
 
 void declare(OptionSet& set, ConvertOptions& o) {
-  declare_file(set, "IN", o.input, "a mesh, splines or a microstructure; - is standard input\n(with --format)");
+  declare_file(set, "IN", o.input,
+               "a mesh, splines or a microstructure; - is standard input\n(with --format)");
   const auto take_output = [&o](const std::string& path) -> std::string {
     o.output = output_name(path);
     return "";

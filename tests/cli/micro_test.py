@@ -84,6 +84,15 @@ class Micro(unittest.TestCase):
             self.assertIn(why, " ".join(done.stderr.split()))
         self.assertEqual(list(self.folder.iterdir()), [])
 
+    def test_commands_about_surfaces_say_that_it_is_a_microstructure(self):
+        for command, status, why in ((["classify", SOUND, SOUND, "--winding"], 4, "this is a microstructure; needed is a mesh or a file of splines"),
+                                     (["inspect", SOUND], 3, "it is a microstructure"), (["project", "0,0,0", SOUND], 4, "this is a microstructure"),
+                                     (["intersect", SOUND, SOUND], 4, "this is a microstructure"),
+                                     (["certify", SOUND, "--picture", self.folder / "a.png"], 2, "is a microstructure")):
+            done = run(*command)
+            self.assertEqual(done.returncode, status, done)
+            self.assertIn(why, " ".join((done.stdout + done.stderr).split()))
+
     @unittest.skipIf(schema.jsonschema is None, "python3-jsonschema is not installed")
     def test_files_obey_the_schema_and_the_schema_is_tight(self):
         micro_schema = json.loads((ROOT / "docs" / "formats" / "micro.schema.json").read_text())

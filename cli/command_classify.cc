@@ -9,6 +9,7 @@
 #include "cli/checker_process.h"
 #include "cli/classification.h"
 #include "cli/commands.h"
+#include "cli/decided_model.h"
 #include "cli/did_you_mean.h"
 #include "cli/expression_classification.h"
 #include "cli/expression_operands.h"
@@ -284,6 +285,8 @@ class ClassifyRun {
     if (exit != kExitValid) return exit;
     report_.path = path();
     report_.sha256 = sha256_of(model_.file);
+    if (const Status status = require_surface(model_.file, path()); !status)
+      return refuse(status.error());
     if (std::holds_alternative<MeshFile>(model_.file)) return kExitValid;
     if (is_plane_model(model_.file)) return take_plane();
     return take_patches(std::get<SplineFile>(model_.file));

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/convert_options.h"
 #include "cli/did_you_mean.h"
+#include "cli/micro_convert.h"
 #include "cli/model_files.h"
 #include "cli/output_plan.h"
 #include "cli/spline_convert.h"
@@ -154,11 +155,12 @@ ExitCode run(const ConvertOptions& options, StandardOutput& out) {
   if (options.pn && kind != ModelKind::kMesh) return fail(bad_argument("--pn is for meshes"));
   if (options.pn) return convert_to_pn(input, options, out);
   if (kind == ModelKind::kSplines) return convert_splines(input, options, out);
+  if (kind == ModelKind::kMicro) return convert_micro(input, options, out);
   if (kind != ModelKind::kMesh)
-    return fail(Error{
-        Code::kBadArgument,
-        {},
-        "convert writes meshes and splines; " + options.input.files[0] + " is " + title_of(kind)});
+    return fail(Error{Code::kBadArgument,
+                      {},
+                      "convert writes meshes, splines and microstructures; " +
+                          options.input.files[0] + " is " + title_of(kind)});
   if (options.chord) return fail(bad_argument("--chord is for splines"));
   if (options.faces) return fail(bad_argument("--faces is for splines"));
   if (options.rejoin) return fail(bad_argument("--rejoin is for splines"));
@@ -184,7 +186,8 @@ ExitCode run(const ConvertOptions& options, StandardOutput& out) {
 }
 
 void declare(OptionSet& set, ConvertOptions& o) {
-  declare_file(set, "IN", o.input, "a mesh or splines; - is standard input (with --format)");
+  declare_file(set, "IN", o.input,
+               "a mesh, splines or a microstructure; - is standard input\n(with --format)");
   const auto take_output = [&o](const std::string& path) -> std::string {
     o.output = output_name(path);
     return "";
@@ -192,7 +195,7 @@ void declare(OptionSet& set, ConvertOptions& o) {
   set.operand("OUT", take_output, "the new file; - is standard output (with --to)");
   set.text("--to", o.to,
            "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; to "
-           "look at: vtu, obj, gltf",
+           "look at: vtu, obj, gltf;\na microstructure: vmicro",
            "V");
   set.length("--chord", "H", o.chord, "splines in obj, gltf: the distance of chords to aim at");
   set.flag("--float", o.single_precision, "binary PLY with binary32 coordinates");

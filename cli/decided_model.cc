@@ -39,6 +39,17 @@ ExitCode take_splines(const SplineFile& file, DecidedModel& out) {
 
 }  // namespace
 
+Status require_surface(const ModelFile& model, const std::string& path) {
+  if (std::holds_alternative<MeshFile>(model) || std::holds_alternative<SplineFile>(model))
+    return ok_status();
+  Error error{Code::kUnknownFormat,
+              {},
+              std::string("this is ") + title_of(kind_of(model)) +
+                  "; needed is a mesh or a file of splines"};
+  error.place.file = path;
+  return error;
+}
+
 ExitCode take_decided_model(const std::string& path, CertifySettings settings,
                             const std::string& refusal, Progress& progress, DecidedModel& out) {
   ModelFile model;
@@ -51,6 +62,8 @@ ExitCode take_decided_model(const std::string& path, CertifySettings settings,
     complain(refusal + line);
     return done.report.exit;
   }
+  if (const Status status = require_surface(model, path); !status)
+    return refuse_model(status.error());
   out.sha256 = done.report.sha256;
   const auto* const mesh = std::get_if<MeshFile>(&model);
   const ExitCode exit =

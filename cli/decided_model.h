@@ -15,6 +15,9 @@ struct DecidedModel {
   bool is_mesh = false;
 };
 
+/// Whether the model has triangles or splines. @error kUnknownFormat, with the path, for a model of another kind
+Status require_surface(const ModelFile& model, const std::string& path);
+
 /// Reads the model and decides it as certify does. Unless it is VALID, complains with the line of its verdict, begun
 /// with `refusal`, and returns the exit status of certify.
 ExitCode take_decided_model(const std::string& path, CertifySettings settings,

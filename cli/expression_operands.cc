@@ -7,6 +7,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "cli/decided_model.h"
 #include "cli/model_input.h"
 #include "cli/output.h"
 #include "io/formats.h"
@@ -212,6 +213,8 @@ std::optional<ExpressionOperand> ExpressionOperands::decide(const std::string& p
     return refuse(done.report.exit, begin + verdict_text(done.report));
   if (done.report.sha256 != sha256)
     return refuse(kExitUnreadable, begin + harmless(path) + " changed while it was read");
+  if (const Status status = require_surface(model, path); !status)
+    return refuse(kExitUnreadable, begin + harmless(to_string(status.error())));
   ExpressionSolid source;
   ExpressionOperand out;
   solid_names_.push_back(harmless(path));

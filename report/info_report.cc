@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "report/info_report.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
 #include "io/formats.h"
 #include "report/json_text.h"
 #include "report/mesh_report_internal.h"
@@ -9,6 +13,51 @@
 
 namespace veritope::report {
 namespace {
+
+struct MicroCounts {
+  std::uint64_t cells = 0;
+  std::uint64_t tiles = 0;                           // cells that hold one
+  std::optional<std::array<std::int32_t, 2>> range;  // of all tiles together
+};
+
+MicroCounts counts_of(const Microstructure& micro) {
+  MicroCounts out;
+  for (const MicroGrid& grid : micro.grids) {
+    out.cells += grid.tiles.size();
+    const auto empty = std::count(grid.tiles.begin(), grid.tiles.end(), std::uint8_t{0});
+    out.tiles += grid.tiles.size() - static_cast<std::uint64_t>(empty);
+  }
+  for (const MicroTile& tile : micro.tiles) {
+    if (!tile.range) continue;
+    if (!out.range) out.range = tile.range;
+    (*out.range)[0] = std::min((*out.range)[0], (*tile.range)[0]);
+    (*out.range)[1] = std::max((*out.range)[1], (*tile.range)[1]);
+  }
+  return out;
+}
+
+void put_micro(const Microstructure& micro, Json& out) {
+  const MicroCounts counts = counts_of(micro);
+  out["counts"] = {{"volumes", micro.cage.size()},
+                   {"grids", micro.grids.size()},
+                   {"cells", counts.cells},
+                   {"tiles", counts.tiles},
+                   {"different_tiles", micro.tiles.size()}};
+  out["range"] = counts.range ? Json(*counts.range) : Json(nullptr);
+}
+
+std::string micro_lines(const Microstructure& micro) {
+  const MicroCounts counts = counts_of(micro);
+  std::string out = detail_line("cage", counted(micro.cage.size(), "volume", "volumes") + ", " +
+                                            counted(micro.grids.size(), "grid", "grids") + ", " +
+                                            counted(counts.cells, "cell", "cells"));
+  out += detail_line("tiles", counted(counts.tiles, "tile", "tiles") + ", " +
+                                  std::to_string(micro.tiles.size()) + " different");
+  if (counts.range)
+    out += detail_line("range", "numbers of walls from " + std::to_string((*counts.range)[0]) +
+                                    "/2^20 to " + std::to_string((*counts.range)[1]) + "/2^20");
+  return out;
+}
 
 // The facts that a file of every kind has.
 std::string plain_json(const InfoReport& report, const ModelFile& file) {
@@ -19,14 +68,17 @@ std::string plain_json(const InfoReport& report, const ModelFile& file) {
   out["format"] = model_format(format_of(file)).name;
   out["exit"] = static_cast<int>(report.exit);
   out["error"] = fault_json(report.fault);
+  if (const auto* const micro = std::get_if<MicroFile>(&file)) put_micro(micro->micro, out);
   return dump(out);
 }
 
 std::string plain_text(const InfoReport& report, const ModelFile& file, const Style& style) {
   const std::string format = model_format(format_of(file)).name;
+  const auto* const micro = std::get_if<MicroFile>(&file);
   return style.bold(unbroken(shown_path(report.path))) + "\n" +
          detail_line("file", format + ", " + counted(num_bytes(file), "byte", "bytes")) +
          detail_line("sha256", sha256_of(file)) + detail_line("model", title_of(kind_of(file))) +
+         (micro != nullptr ? micro_lines(micro->micro) : "") +
          style.dim("  Whether it bounds a solid: veritope certify FILE") + "\n";
 }
 

@@ -27,6 +27,7 @@ class MicroReader : SplineJsonLexer {
     MicroFile file;
     file.micro = std::move(micro_);
     file.bytes = source_.size();
+    file.has_names_in_cage = has_names_in_cage_;
     file.beyond_default_limits = std::move(beyond_default_);
     if (!file.beyond_default_limits)
       file.beyond_default_limits = SplineTextReader::take().beyond_default_limits;
@@ -65,6 +66,7 @@ class MicroReader : SplineJsonLexer {
   Microstructure micro_;
   std::uint64_t num_cells_ = 0;
   std::vector<const char*> grids_at_;
+  bool has_names_in_cage_ = false;
   std::optional<Error> beyond_default_;  // in the cage
 };
 
@@ -134,6 +136,7 @@ bool MicroReader::read_cage() {
   Result<SplineFile> file = read_spline_json_part(source_, limits_, p_);
   if (!file) return fail_as(file.error());
   beyond_default_ = std::move(file->beyond_default_limits);
+  has_names_in_cage_ = !file->model.groups.empty();
   const std::vector<SplineEntity>& entities = file->model.entities;
   if (entities.empty()) return fail(start, Code::kSyntax, "the cage has 0 volumes");
   if (entities.size() > kMaxMicroGrids)
@@ -147,6 +150,7 @@ bool MicroReader::read_cage() {
                                                            " of the cage must be a volume, not a " +
                                                            spline_kind_name(entities[v]));
     if (!status) return fail_as({status.error().code, entities[v].place, status.error().message});
+    has_names_in_cage_ = has_names_in_cage_ || !entities[v].attributes.empty();
     micro_.cage.push_back(*volume);
   }
   return true;

@@ -22,6 +22,8 @@ struct MicroFile {
   std::uint64_t bytes = 0;
   std::string sha256;  ///< of the bytes that were read, 64 lower-case hex digits
   double seconds_read = 0, seconds_parse = 0, seconds_hash = 0;
+  /// The cage has groups or attributes, which the microstructure does not keep.
+  bool has_names_in_cage = false;
   /// As in SplineFile: the refusal of the first number that is beyond the default limits.
   std::optional<Error> beyond_default_limits;
 };

@@ -22,7 +22,7 @@ Status check_tile(const MicroTile& tile, std::size_t number);
 /// The volume and the breaks of a grid, and whether it comes after the grid before it. Adds its cells to `cells`, those
 /// of the grids before it. REQUIRES check_cage_volume of all volumes, and cells <= kMaxMicroCells.
 Status check_breaks(const Microstructure& micro, std::size_t grid, std::uint64_t& cells);
-/// Two grids of one volume whose boxes have a common inner point, the lower number first; nothing if there are none.
+/// Two grids of one volume whose boxes have a common inner point, the lower number first, if such grids exist.
 /// REQUIRES check_breaks of all grids.
 /// @cost  n log n comparisons of rationals and at most n^2 of integers, for n grids of one volume
 std::optional<std::array<std::size_t, 2>> overlapping_grids(const Microstructure& micro);

@@ -315,7 +315,7 @@ class ExitStatus(unittest.TestCase):
                 self.assertEqual(done.returncode, 4, done)
                 self.assertRegex(done.stdout + done.stderr,
                                  r"byte 0: this is a STEP file: not read yet; the formats that are read are stl, obj, ply, off, "
-                                 r"itd, g2, mfem, gismo and vjson\n", command)
+                                 r"itd, g2, mfem, gismo, vjson and vmicro\n", command)
 
     def test_an_unknown_file_gets_the_list_of_all_formats(self):
         with support.tempfile.TemporaryDirectory() as folder:
@@ -324,7 +324,7 @@ class ExitStatus(unittest.TestCase):
                 file.write("hello\n")
             done = run("certify", part)
             self.assertEqual(done.returncode, 4)
-            self.assertIn("says whether this is stl, obj, ply, off, itd, g2, mfem, gismo or vjson (--format)", done.stdout)
+            self.assertIn("says whether this is stl, obj, ply, off, itd, g2, mfem, gismo, vjson or vmicro (--format)", done.stdout)
 
     def test_a_mesh_where_splines_are_needed_is_named(self):
         done = run("project", "0,0,0", VALID)

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "io/formats.h"
+#include "io/micro/write_micro.h"
 #include "tests/io/io_test_util.h"
 #include "tests/support/paths.h"
 #include "verify/format/sha256.h"
@@ -39,6 +40,7 @@ const std::map<std::string, std::string>& samples() {
       {"mfem", spline_sample("two_cubes.mesh")},
       {"gismo", spline_sample("surface.xml")},
       {"vjson", spline_sample("triangles.vjson")},
+      {"vmicro", io_test::slurp(test::source_dir() + "/tests/models/micro/three_cells.vmicro")},
   };
   return texts;
 }
@@ -64,6 +66,8 @@ bool same_model(const ModelFile& a, const ModelFile& b) {
   if (a.index() != b.index()) return false;
   if (const auto* const splines = std::get_if<SplineFile>(&a))
     return splines->model == std::get<SplineFile>(b).model;
+  if (const auto* const micro = std::get_if<MicroFile>(&a))
+    return write_micro(micro->micro) == write_micro(std::get<MicroFile>(b).micro);
   const TriangleMesh &m = std::get<MeshFile>(a).mesh, &n = std::get<MeshFile>(b).mesh;
   const auto equal = [](const Vec3d& p, const Vec3d& q) {
     return p.x == q.x && p.y == q.y && p.z == q.z;
@@ -100,13 +104,14 @@ TEST(ModelFormats, EveryRowIsCompleteAndNoWordNamesTwoFormats) {
   for (const SplineFormat f : {SplineFormat::kItd, SplineFormat::kG2, SplineFormat::kMfem,
                                SplineFormat::kGismo, SplineFormat::kJson})
     EXPECT_STREQ(model_format(f).name, spline_format_name(f));
+  EXPECT_STREQ(model_format(MicroFormat::kMicro).name, "vmicro");
 }
 
 TEST(ModelFormats, NamesAndEndingsAreFoundInAnyCase) {
   for (const ModelFormat& row : model_formats()) {
     EXPECT_EQ(format_from_name(upper(row.name)), &row);
     EXPECT_EQ(format_from_name(row.name, row.kind()), &row);
-    for (const ModelKind kind : {ModelKind::kMesh, ModelKind::kSplines})
+    for (const ModelKind kind : {ModelKind::kMesh, ModelKind::kSplines, ModelKind::kMicro})
       EXPECT_EQ(format_from_name(row.name, kind), kind == row.kind() ? &row : nullptr);
     for (const std::string_view ending : row.endings) {
       EXPECT_EQ(format_from_name(ending), &row);
@@ -123,7 +128,7 @@ TEST(ModelFormats, NamesAndEndingsAreFoundInAnyCase) {
 
 TEST(ModelFormats, ListsNameTheFormatsInTheirOrder) {
   EXPECT_EQ(format_names("or", ModelKind::kMesh), "stl, obj, ply or off");
-  EXPECT_EQ(format_names("and"), "stl, obj, ply, off, itd, g2, mfem, gismo and vjson");
+  EXPECT_EQ(format_names("and"), "stl, obj, ply, off, itd, g2, mfem, gismo, vjson and vmicro");
 }
 
 TEST(ReadModel, TheOptionDecidesThenTheEndingThenTheContent) {
@@ -164,7 +169,7 @@ TEST(ReadModel, WhatAFormatWritesItReadsBackTheSame) {
     EXPECT_TRUE(same_model(*file, *again)) << row.name;
     ++written;
   }
-  EXPECT_EQ(written, 7u);
+  EXPECT_EQ(written, 8u);
 }
 
 TEST(ReadModel, TheHashIsThatOfTheBytesForAnyNumberOfJobs) {
@@ -202,7 +207,7 @@ TEST(ReadModel, TheRefusalOfUnknownContentListsEveryFormat) {
     EXPECT_EQ(code_of(file), "unknown-format") << text;
     EXPECT_EQ(message_of(file),
               "neither the ending of the name nor the content says whether this is stl, obj, ply, "
-              "off, itd, g2, mfem, gismo or vjson (--format)");
+              "off, itd, g2, mfem, gismo, vjson or vmicro (--format)");
   }
 }
 
@@ -236,7 +241,7 @@ TEST(ReadModel, FormatsThatAreNotReadYetAreNamed) {
       EXPECT_EQ(code_of(file), "foreign-format") << f.name;
       EXPECT_EQ(message_of(file), "this is " + f.name +
                                       ": not read yet; the formats that are read are stl, obj, "
-                                      "ply, off, itd, g2, mfem, gismo and vjson");
+                                      "ply, off, itd, g2, mfem, gismo, vjson and vmicro");
     }
   const std::string package = "PK\3\4\x14\0\0\0....[Content_Types].xml...3D/3dmodel.model..."s;
   EXPECT_EQ(message_of(read_as("x.3mf", package)),

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/micro_convert.h"
+
+#include "cli/output_plan.h"
+#include "io/formats.h"
+#include "io/micro/write_micro.h"
+#include "report/text_style.h"
+
+namespace veritope::cli {
+namespace {
+
+Status check_micro_options(const ConvertOptions& o) {
+  if (o.chord) return bad_argument("--chord is for splines");
+  if (o.faces) return bad_argument("--faces is for splines");
+  if (o.rejoin) return bad_argument("--rejoin is for splines");
+  if (o.weld) return bad_argument("--weld is for spline volumes");
+  if (o.single_precision) return bad_argument("--float is for binary PLY");
+  if (o.to && *o.to != "vmicro")
+    return bad_argument("for a microstructure, --to must be vmicro, not " + *o.to);
+  if (!o.to && format_from_path(o.output, ModelKind::kMicro) == nullptr)
+    return bad_argument(
+        no_target_text(o.output, "a microstructure", format_names("or", ModelKind::kMicro)));
+  if (Status status = refuse_same(o.input.files, o.output); !status) return status;
+  return try_output(o.output);
+}
+
+}  // namespace
+
+ExitCode convert_micro(ModelInput& input, const ConvertOptions& options, StandardOutput& out) {
+  if (const Status status = check_micro_options(options); !status) return fail(status.error());
+  const Result<ModelFile> model = input.take();
+  if (!model) return fail(model.error());
+  const MicroFile& file = std::get<MicroFile>(*model);
+  const Status written = write_output(options.output, write_micro(file.micro), out);
+  if (!written && options.output != "-") return fail(written.error());
+  const std::string dropped = file.has_names_in_cage ? "groups and attributes of the cage" : "";
+  if (options.output == "-") {
+    if (!dropped.empty()) complain("not part of the model, dropped: " + dropped);
+    return kExitValid;
+  }
+  const std::string text =
+      "wrote  " + unbroken(harmless(options.output)) + "  " +
+      counted(file.micro.grids.size(), "grid", "grids") + ", nothing lost\n" +
+      (dropped.empty() ? "" : "  not part of the model, dropped: " + dropped + "\n");
+  out.write(fold(text, verdict_width()));
+  return kExitValid;
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/micro_convert.h: veritope convert for microstructures: they are written in their canonical form.
+#pragma once
+#include "cli/convert_options.h"
+#include "cli/model_input.h"
+#include "cli/output.h"
+#include "report/exit_code.h"
+
+namespace veritope::cli {
+
+using namespace report;
+
+/// REQUIRES input.kind() == ModelKind::kMicro.
+ExitCode convert_micro(ModelInput& input, const ConvertOptions& options, StandardOutput& out);
+
+}  // namespace veritope::cli

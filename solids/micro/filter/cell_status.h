@@ -29,20 +29,20 @@ constexpr const char* cell_status_name(CellStatus status) {
 }
 
 /// The point map(patch(u, v)) of a tile's surface.
-struct TilePoint {
+struct TilePatchPoint {
   std::uint32_t patch = 0;
   Rational u, v;
-  friend bool operator==(const TilePoint&, const TilePoint&) = default;
+  friend bool operator==(const TilePatchPoint&, const TilePatchPoint&) = default;
 };
 
 /// A status with its witnesses. Crossing: `inside` and `off`, or one of them and `vertex`: the boundary of M passes
 /// through the interior of the tile there, so that points on either side of it are near. Touching: `contact`.
 struct CellFinding {
   CellStatus status = CellStatus::kUndecided;
-  std::optional<TilePoint> inside;      ///< a point in the interior of M
-  std::optional<TilePoint> off;         ///< a point off M
-  std::optional<std::uint32_t> vertex;  ///< a vertex of M in the interior of the tile
-  std::optional<ExactPoint> contact;    ///< a point of both boundaries
+  std::optional<TilePatchPoint> inside;  ///< a point in the interior of M
+  std::optional<TilePatchPoint> off;     ///< a point off M
+  std::optional<std::uint32_t> vertex;   ///< a vertex of M in the interior of the tile
+  std::optional<ExactPoint> contact;     ///< a point of both boundaries
 };
 
 }  // namespace veritope

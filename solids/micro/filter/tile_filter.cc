@@ -20,7 +20,7 @@ ExactPoint CellMap::image(const PatchPoint& at) const {
   return *out;
 }
 
-ExactPoint CellMap::image(const TileShape& tile, const TilePoint& at) const {
+ExactPoint CellMap::image(const TileShape& tile, const TilePatchPoint& at) const {
   const auto p = evaluate<Rational, 2>(tile.patches()[at.patch].exact, {at.u, at.v});
   return image(PatchPoint{p[0], p[1], p[2]});
 }

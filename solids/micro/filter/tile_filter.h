@@ -30,7 +30,7 @@ struct CellMap {
 
   /// The image of a point of [0,1]^3. REQUIRES a weight that is not 0 there.
   ExactPoint image(const PatchPoint& at) const;
-  ExactPoint image(const TileShape& tile, const TilePoint& at) const;
+  ExactPoint image(const TileShape& tile, const TilePatchPoint& at) const;
 };
 
 /// Filters tiles against one mesh. Immutable: threads may share it.

@@ -24,12 +24,12 @@ Value3 TileWalk::note(const TilePiece& piece, std::size_t corner) {
   const Value3 value = model_.value(outer_box(piece.corners[corner]));
   auto& witness = value == Value3::kOne ? inside_ : off_;
   if (is_constant(value) && !witness)
-    witness = TilePoint{piece.patch, piece.parameter(0, corner), piece.parameter(1, corner)};
+    witness = TilePatchPoint{piece.patch, piece.parameter(0, corner), piece.parameter(1, corner)};
   return value;
 }
 
 // The same without boxes. REQUIRES a point off the surface of M.
-void TileWalk::note_exactly(const TilePoint& at) {
+void TileWalk::note_exactly(const TilePatchPoint& at) {
   const PointAnswer answer = model_.classifier().classify(cell_.image(tile(), at));
   VT_CHECK(!answer.is_on(), "a point of a part that misses the surface lies on it");
   auto& witness = answer.winding != 0 ? inside_ : off_;
@@ -47,7 +47,8 @@ void TileWalk::note_corners() {
       const Value3 value = model_.value(outer_box(pieces_.corners()[corners[k]]));
       corner_values_[corners[k]] = value;
       auto& witness = value == Value3::kOne ? inside_ : off_;
-      if (is_constant(value) && !witness) witness = TilePoint{i, Rational(k & 1), Rational(k >> 1)};
+      if (is_constant(value) && !witness)
+        witness = TilePatchPoint{i, Rational(k & 1), Rational(k >> 1)};
       if (is_crossing()) return;
     }
   }

@@ -32,7 +32,7 @@ class TileWalk {
   const TileShape& tile() const { return pieces_.tile(); }
   bool is_crossing() const { return inside_ && off_; }
   Value3 note(const TilePiece& piece, std::size_t corner);
-  void note_exactly(const TilePoint& at);
+  void note_exactly(const TilePatchPoint& at);
   void note_corners();
   void keep_close(OpenPiece* open) const;
   void open_patches();
@@ -51,7 +51,7 @@ class TileWalk {
   TilePieces pieces_;
   ExactPatches exact_;
   std::vector<Value3> corner_values_;
-  std::optional<TilePoint> inside_, off_;
+  std::optional<TilePatchPoint> inside_, off_;
   std::optional<ExactPoint> contact_;
   std::vector<OpenPiece> open_;
   std::vector<TilePiece>

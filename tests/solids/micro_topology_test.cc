@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "solids/micro/fill_cage.h"
 #include "solids/micro/micro_topology.h"
+#include "solids/volumes/primitives.h"
+#include "splines/knot_insertion.h"
 #include "tests/support/micro_cells.h"
 
 namespace veritope {
@@ -107,6 +112,62 @@ TEST(MicroTopology, OverlappingCapsOfDifferentTilesAreRefused) {
   EXPECT_EQ(counts_of(micro).components, 2u);
   micro.tiles[1] = box_tile({48, 16, 0}, {60, 48, 64});  // the caps touch in a side
   EXPECT_EQ(condition_of(micro), "T4");
+}
+
+std::vector<VVolume> cone() { return cone_cells(Rational(1), Rational(0), Rational(1)).value(); }
+
+// PROVES MICRO-1.G2
+TEST(MicroTopology, NoCapLiesInAFaceThatIsCollapsed) {
+  EXPECT_EQ(condition_of(full(cone(), {1, 1, 1}, jack())), "G2");
+}
+TEST(FillCage, LeavesOutArmsToFacesThatAreCollapsed) {
+  const std::vector<VVolume> cage = cone();
+  const VModel model = make_v_model(cage, VOrientation::kAuto).value();
+  JackShape shape;
+  const auto tile = [&](unsigned arms) {
+    shape.arms = arms;
+    return jack_tile(shape);
+  };
+  const Microstructure micro = fill_cage(cage, model, {2, 2, 2}, tile, 40).value();
+  const MicroCounts c = counts_of(micro);
+  EXPECT_EQ(micro.tiles.size(), 2u);
+  EXPECT_EQ(c.tiles, 40u);
+  EXPECT_EQ(c.components, 1u);
+  EXPECT_EQ(fill_cage(cage, model, {2, 2, 2}, tile, 39).error().code, Code::kOverLimit);
+  EXPECT_EQ(fill_cage(cage, model, {0, 2, 2}, tile, 40).error().code, Code::kBadArgument);
+}
+TEST(FillCage, ACommonWallOfTwoVolumesHasOneNumber) {
+  const std::vector<VVolume> cage = {cube(0, 0, 0), v_cells::turned(cube(1, 0, 0), 13)};
+  const VModel model = make_v_model(cage, VOrientation::kAuto).value();
+  Microstructure micro = fill_cage(
+                             cage, model, {2, 2, 2},
+                             [](unsigned) {
+                               return Result(jack({{1, 100}}));
+                             },
+                             16)
+                             .value();
+  std::int32_t calls = 0;
+  const auto next = [&](const GridWall&) { return Result<std::int32_t>(++calls); };
+  ASSERT_TRUE(number_walls(model, next, micro));
+  EXPECT_EQ(calls, 2 * 36 - 4);
+  EXPECT_EQ(counts_of(micro).components, 1u);
+  micro.grids[0].tiles.assign(8, 0);
+  clear_unused_walls(micro);
+  EXPECT_EQ(std::count(micro.grids[0].walls[0].begin(), micro.grids[0].walls[0].end(), 0), 12);
+}
+TEST(MicroGrid, CellsAreSharedOutAmongSpansByTheirLength) {
+  const VVolume volume =
+      refine(cube(0, 0, 0), 0,
+             std::vector<Rational>{Rational(1) / Rational(10), Rational(1) / Rational(2)});
+  const MicroGrid grid = make_micro_grid(volume, 0, {7, 1, 2}).value();
+  // Spans of 1/10, 4/10, 5/10: one each, and 4 by 0.4, 1.6, 2: 0, 1, 2 and the one that is left for the second.
+  ASSERT_EQ(grid.breaks[0].size(), 8u);
+  EXPECT_EQ(grid.breaks[0][1], Rational(1) / Rational(10));
+  EXPECT_EQ(grid.breaks[0][4], Rational(1) / Rational(2));
+  EXPECT_EQ(grid.breaks[0][5], Rational(2) / Rational(3));
+  EXPECT_EQ(grid.tiles.size(), 14u);
+  EXPECT_EQ(make_micro_grid(volume, 0, {2, 1, 1}).error().code, Code::kBadArgument);
+  EXPECT_EQ(make_micro_grid(volume, 0, {1u << 20, 1u << 20, 1}).error().code, Code::kOverLimit);
 }
 
 TEST(MicroTopology, FineGridsMeetCoarseOnes) {

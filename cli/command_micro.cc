@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// veritope micro.
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <utility>
+
+#include "cli/commands.h"
+#include "cli/output_plan.h"
+#include "cli/progress.h"
+#include "cli/tile_option.h"
+#include "io/micro/write_micro.h"
+#include "io/read_model.h"
+#include "io/splines/volumes.h"
+#include "report/micro_run_report.h"
+#include "report/report_text.h"
+#include "report/text_style.h"
+#include "robust/base/stopwatch.h"
+#include "solids/micro/synthesis/filter_tiles.h"
+#include "solids/micro/synthesis/wall_thickness.h"
+#include "solids/vmodel/v_parts.h"
+#include "verify/certify/vmodel_certifier.h"
+#include "verify/format/sha256.h"
+
+namespace veritope::cli {
+namespace {
+
+constexpr std::uint64_t kDefaultMaxTiles = 10'000'000;
+// What a number of a wall may be before the tile is analysed: half the edge of a cap, inside a cell.
+constexpr std::array<std::int32_t, 2> kCapLimits = {1, kMaxWallNumber / 2 - 1};
+
+struct MicroOptions {
+  std::optional<std::string> cage, model;
+  JackShape jack;
+  bool has_tile = false;
+  std::optional<std::array<std::uint64_t, 3>> counts;
+  std::optional<RealFormula> thickness;
+  std::optional<std::string> output, list, json;
+  std::uint64_t max_tiles = kDefaultMaxTiles;
+  ModelReadOptions reading;
+};
+
+std::string take_counts(const std::string& text,
+                        std::optional<std::array<std::uint64_t, 3>>& counts) {
+  std::array<std::uint64_t, 3> out{};
+  const char *at = text.data(), *const end = text.data() + text.size();
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto read = std::from_chars(at, end, out[a]);
+    const bool goes_on = a < 2 ? read.ptr != end && *read.ptr == ',' : read.ptr == end;
+    if (read.ec != std::errc() || !goes_on || out[a] == 0)
+      return "needs three numbers K,M,N from 1, not " + text;
+    at = read.ptr + (a < 2 ? 1 : 0);
+  }
+  counts = out;
+  return "";
+}
+
+std::string take_thickness(const std::string& text, MicroOptions& options) {
+  const std::vector<std::string> variables(kWallVariables.begin(), kWallVariables.end());
+  Result<RealFormula> formula = parse_formula(text, variables);
+  if (!formula) return "is not a formula: " + formula.error().message;
+  options.thickness = std::move(*formula);
+  return "";
+}
+
+class MicroRun {
+ public:
+  MicroRun(const MicroOptions& options, StandardOutput& out)
+      : options_(options), out_(out), progress_(true) {}
+
+  ExitCode run() {
+    if (const Status status = check_outputs(); !status) return fail(status.error());
+    for (const auto step : {&MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill,
+                            &MicroRun::analyse, &MicroRun::filter, &MicroRun::find_topology})
+      if (const ExitCode exit = (this->*step)(); exit != kExitValid) return conclude(exit);
+    return conclude(write());
+  }
+
+ private:
+  std::vector<std::string> inputs() const {
+    std::vector<std::string> out = {*options_.cage};
+    if (options_.model) out.push_back(*options_.model);
+    return out;
+  }
+  Status check_outputs() const {
+    const Result<OutputPlan> plan = plan_outputs(inputs(), std::nullopt, options_.json);
+    if (!plan) return plan.error();
+    if (const Status status =
+            check_output("--output", *options_.output, inputs(), *plan, options_.json);
+        !status)
+      return status;
+    if (options_.list)
+      if (const Status status =
+              check_output("--list", *options_.list, inputs(), *plan, options_.json);
+          !status)
+        return status;
+    return try_outputs(*plan, {options_.json, options_.output, options_.list});
+  }
+
+  ExitCode refuse(const Error& error) {
+    progress_.clear();
+    complain(harmless(to_string(error)));
+    return kExitUnreadable;
+  }
+  // Nothing is written.
+  ExitCode refute(MicroRunReport::Defect defect, ExitCode exit = kExitInvalid) {
+    progress_.clear();
+    complain(harmless(defect.message));
+    report_.defects.push_back(std::move(defect));
+    return exit;
+  }
+
+  ExitCode read_cage() {
+    progress_.phase(*options_.cage, "certifying the cage");
+    Stopwatch watch;
+    Result<SplineFile> file = read_spline_file(*options_.cage, options_.reading);
+    if (!file) return refuse(file.error());
+    report_.cage = {*options_.cage, file->sha256, file->bytes};
+    Result<std::vector<ExactVolume>> volumes = volumes_of(*file);
+    if (!volumes) {
+      Error error = volumes.error();
+      error.place.file = *options_.cage;
+      return refuse(error);
+    }
+    for (ExactVolume& v : *volumes) v = space_of(std::move(v));
+    file->model = {};
+    for (const ExactVolume& v : *volumes) file->model.entities.push_back({v, {}, std::nullopt, {}});
+    CertifyOptions certify;
+    certify.orientation = PatchOrientation::kAuto;
+    certify.jobs = static_cast<unsigned>(options_.reading.jobs);
+    const auto answer = certify_vmodel(*file, certify);
+    if (!answer)
+      return refute({"cage", {}, {}, {}, *options_.cage + ": no certificate can speak of the cage"},
+                    kExitUndecided);
+    const Certified& certified = answer->certified;
+    if (certified.verdict != Verdict::kValid)
+      return refute({"cage",
+                     {},
+                     {},
+                     {},
+                     *options_.cage + ": the cage is " + verdict_name(certified.verdict) + ": " +
+                         text_of(certified.findings.front())},
+                    certified.verdict == Verdict::kInvalid ? kExitInvalid : kExitUndecided);
+    Result<VModel> model = make_v_model(*volumes, VOrientation::kAuto);
+    if (!model) return refuse(model.error());
+    model_.emplace(std::move(*model));
+    cage_ = std::move(*volumes);
+    report_.seconds.cage = watch.lap();
+    return kExitValid;
+  }
+  static ExactVolume space_of(ExactVolume volume) {
+    SplineModel one;
+    one.entities.push_back({std::move(volume), {}, std::nullopt, {}});
+    if (has_attributes(one)) one = without_attributes(one);
+    return std::get<ExactVolume>(one.entities[0].shape);
+  }
+
+  ExitCode read_solid() {
+    if (!options_.model) return kExitValid;
+    progress_.phase(*options_.model, "certifying the model");
+    Result<MeshFile> file = read_mesh_file(*options_.model, options_.reading);
+    if (!file) return refuse(file.error());
+    report_.model = MicroRunReport::File{*options_.model, file->sha256, file->report.bytes};
+    CertifyOptions certify;
+    certify.jobs = static_cast<unsigned>(options_.reading.jobs);
+    ModelFile model(std::move(*file));
+    const Result<Certified> certified = veritope::certify(model, certify);
+    if (!certified) return refuse(certified.error());
+    if (certified->verdict != Verdict::kValid)
+      return refute({"model",
+                     {},
+                     {},
+                     {},
+                     *options_.model + ": the model is " + verdict_name(certified->verdict) + ": " +
+                         text_of(certified->findings.front())});
+    solid_ = std::move(std::get<MeshFile>(model));
+    return kExitValid;
+  }
+
+  ExitCode fill() {
+    JackShape shape = options_.jack;
+    if (options_.thickness) shape.range = kCapLimits;
+    Result<Microstructure> filled = fill_cage(
+        cage_, *model_, *options_.counts,
+        [&](unsigned arms) {
+          shape.arms = arms;
+          return jack_tile(shape);
+        },
+        options_.max_tiles);
+    if (!filled) {
+      Error error = filled.error();
+      if (error.code == Code::kOverLimit) error.message += " (--max-tiles)";
+      return refuse(error);
+    }
+    micro_ = std::move(*filled);
+    if (solid_) micro_.model = MicroModelName{file_name(*options_.model), report_.model->sha256};
+    for (const MicroGrid& grid : micro_.grids) report_.cells += grid.tiles.size();
+    report_.kinds = micro_.tiles.size();
+    if (!options_.thickness || !micro_.has_walls()) return kExitValid;
+    const Status numbered = number_walls_by(*options_.thickness, *model_, kCapLimits, micro_);
+    return numbered ? kExitValid : refute({"thickness", {}, {}, {}, numbered.error().message});
+  }
+  static std::string file_name(const std::string& path) {
+    return path.substr(path.find_last_of('/') + 1);
+  }
+
+  ExitCode analyse() {
+    for (std::size_t k = 0; k < micro_.tiles.size(); ++k) {
+      auto analysed = analyse_tile(micro_.tiles[k]);
+      if (const auto* d = std::get_if<TileDefect>(&analysed))
+        return refute({d->condition,
+                       k,
+                       {},
+                       d->wall ? std::optional(v_face_name(static_cast<std::size_t>(*d->wall)))
+                               : std::nullopt,
+                       "tile " + micro_.tiles[k].name + ": " + d->condition + ": " + d->message});
+      tiles_.push_back(std::get<AnalysedTile>(std::move(analysed)));
+    }
+    return kExitValid;
+  }
+
+  ExitCode filter() {
+    report_.kept = report_.cells;
+    if (!solid_) return kExitValid;
+    progress_.phase(*options_.model, "filtering tiles");
+    Stopwatch watch;
+    const Result<TileFilter> filter = TileFilter::make(solid_->mesh);
+    if (!filter) return refuse(filter.error());
+    Result<std::vector<GridStatus>> found =
+        filter_tiles_to(*filter, static_cast<unsigned>(options_.reading.jobs), micro_);
+    if (!found) return refuse(found.error());
+    statuses_ = std::move(*found);
+    std::array<std::uint64_t, 5> counts{};
+    for (const GridStatus& grid : statuses_)
+      for (std::size_t s = 0; s < counts.size(); ++s) counts[s] += grid.counts[s];
+    report_.kept = counts[static_cast<std::size_t>(CellStatus::kKept)];
+    report_.crossing = counts[static_cast<std::size_t>(CellStatus::kCrossing)];
+    report_.touching = counts[static_cast<std::size_t>(CellStatus::kTouching)];
+    report_.outside = counts[static_cast<std::size_t>(CellStatus::kOutside)];
+    report_.undecided = counts[static_cast<std::size_t>(CellStatus::kUndecided)];
+    clear_unused_walls(micro_);
+    report_.seconds.filter = watch.lap();
+    return kExitValid;
+  }
+
+  ExitCode find_topology() {
+    progress_.phase(*options_.output, "joining tiles");
+    Stopwatch watch;
+    auto topology = topology_of(micro_, *model_, tiles_);
+    report_.seconds.topology = watch.lap();
+    if (const auto* d = std::get_if<MicroDefect>(&topology)) {
+      MicroRunReport::Defect defect{
+          d->condition, {}, {}, {}, std::string(d->condition) + ": " + d->message};
+      if (!d->walls.empty()) {
+        const CellWall& w = d->walls.front();
+        const auto at = micro_.grids[w.grid].shape().index_of(w.cell);
+        defect.cell = {micro_.grids[w.grid].volume, at[0], at[1], at[2]};
+        defect.wall = v_face_name(static_cast<std::size_t>(w.wall));
+      }
+      return refute(std::move(defect));
+    }
+    report_.counts = std::get<MicroCounts>(topology);
+    return kExitValid;
+  }
+
+  ExitCode write() {
+    progress_.phase(*options_.output, "writing");
+    if (const Status valid = validate(micro_); !valid) return refuse(valid.error());
+    const std::string bytes = write_micro(micro_);
+    progress_.clear();
+    Status written = write_output(*options_.output, bytes, out_);
+    if (!written && *options_.output != "-") return fail(written.error());
+    report_.output = MicroRunReport::File{
+        *options_.output,
+        to_hex(sha256({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()})),
+        bytes.size()};
+    if (options_.list) written = write_output(*options_.list, list_text(), out_);
+    if (!written && *options_.list != "-") return fail(written.error());
+    return report_.undecided == 0 ? kExitValid : kExitUndecided;
+  }
+  std::string list_text() const {
+    std::string out = "volume,i,j,k,status\n";
+    for (std::size_t g = 0; g < micro_.grids.size(); ++g) {
+      const MicroGrid& grid = micro_.grids[g];
+      const Grid<3> shape = grid.shape();
+      for (std::size_t c = 0; c < grid.tiles.size(); ++c) {
+        const auto at = shape.index_of(c);
+        out += std::to_string(grid.volume);
+        for (const std::size_t i : at) out += "," + std::to_string(i);
+        out += std::string(",") +
+               cell_status_name(solid_ ? statuses_[g].status[c] : CellStatus::kKept) + "\n";
+      }
+    }
+    return out;
+  }
+
+  ExitCode conclude(ExitCode exit) {
+    progress_.clear();
+    const bool is_read = exit != kExitUnreadable && exit != kExitUsage;
+    if (options_.json != "-" && *options_.output != "-")
+      out_.write(fold(micro_run_text(report_), verdict_width()));
+    if (!options_.json || !is_read) return exit;
+    const Status status = write_output(*options_.json, micro_run_json(report_), out_);
+    return status || *options_.json == "-" ? exit : fail(status.error());
+  }
+
+  const MicroOptions& options_;
+  StandardOutput& out_;
+  Progress progress_;
+  MicroRunReport report_;
+  std::vector<ExactVolume> cage_;
+  std::optional<VModel> model_;
+  std::optional<MeshFile> solid_;
+  Microstructure micro_;
+  std::vector<AnalysedTile> tiles_;
+  std::vector<GridStatus> statuses_;
+};
+
+}  // namespace
+
+RunCommand declare_micro(OptionSet& set) {
+  const auto o = std::make_shared<MicroOptions>();
+  o->reading.jobs = default_jobs();
+  set.text("--cage", o->cage, "the volumes in whose parameters the cells lie, a spline file");
+  set.option(
+      "--tile", "TILE",
+      [o = o.get()](const std::string& text) {
+        o->has_tile = true;
+        return take_jack(text, o->jack);
+      },
+      "jack[,node=1/5][,cap=1/8][,degree=3]: a cube with six arms");
+  set.option(
+      "--counts", "K,M,N",
+      [o = o.get()](const std::string& text) { return take_counts(text, o->counts); },
+      "cells along the three axes of each volume");
+  set.text("--model", o->model, "keep only tiles in the interior of this solid, a mesh");
+  set.option(
+      "--thickness", "EXPR",
+      [o = o.get()](const std::string& text) { return take_thickness(text, *o); },
+      "half the width of arms at each wall, from its x y z u v w");
+  set.output("-o,--output", o->output, "write the microstructure, .vmicro");
+  set.output("--list", o->list, "write the status of each cell, CSV");
+  declare_json(set, o->json, "write counts and defects");
+  set.number("--max-tiles", o->max_tiles, {1, kMaxMicroCells}, "refuse more cells than this");
+  declare_jobs(set, o->reading.jobs);
+  declare_reading(set, o->reading);
+  set.rule([o]() -> std::string {
+    if (!o->cage) return "--cage is required, a spline file of volumes";
+    if (!o->has_tile) return "--tile is required, such as jack";
+    if (!o->counts) return "--counts is required, such as 10,10,10";
+    if (!o->output) return "-o OUT.vmicro is required, the file of the microstructure";
+    if (*o->output == "-" || o->output->ends_with(".vmicro")) return "";
+    return "the name " + *o->output + " does not end in .vmicro";
+  });
+  return [o](StandardOutput& out) { return MicroRun(*o, out).run(); };
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "report/micro_run_report.h"
+
+#include "report/json_text.h"
+#include "report/report_text.h"
+#include "report/text_style.h"
+#include "verify/certify/certify.h"
+
+namespace veritope::report {
+namespace {
+
+Json file_json(const std::optional<MicroRunReport::File>& file) {
+  if (!file) return nullptr;
+  return {{"path", file->path}, {"sha256", file->sha256}, {"bytes", file->bytes}};
+}
+
+Json defect_in_run_json(const MicroRunReport::Defect& d) {
+  Json cell = nullptr;
+  if (d.cell)
+    cell = {{"volume", (*d.cell)[0]},
+            {"at", Json::array({(*d.cell)[1], (*d.cell)[2], (*d.cell)[3]})}};
+  return {{"code", d.code},
+          {"tile", optional_json(d.tile)},
+          {"cell", cell},
+          {"wall", optional_json(d.wall)},
+          {"message", d.message}};
+}
+
+}  // namespace
+
+std::string micro_run_json(const MicroRunReport& r) {
+  Json out, defects = Json::array();
+  for (const auto& d : r.defects) defects.push_back(defect_in_run_json(d));
+  const auto counted_in = [&](auto member) {
+    return r.counts ? Json((*r.counts).*member) : Json(nullptr);
+  };
+  out["schema"] = "veritope-micro-1";
+  out["tool"] = tool_name();
+  out["cage"] = file_json(r.cage);
+  out["model"] = file_json(r.model);
+  out["output"] = file_json(r.output);
+  out["tiles"] = {{"total", r.cells},       {"kept", r.kept},       {"crossing", r.crossing},
+                  {"touching", r.touching}, {"outside", r.outside}, {"undecided", r.undecided}};
+  out["kinds"] = r.kinds;
+  out["components"] = counted_in(&MicroCounts::components);
+  out["glued_caps"] = counted_in(&MicroCounts::glued_caps);
+  out["genus"] = counted_in(&MicroCounts::genus);
+  out["shells"] = counted_in(&MicroCounts::shells);
+  out["defects"] = std::move(defects);
+  out["seconds"] = {{"cage", seconds_json(r.seconds.cage)},
+                    {"filter", seconds_json(r.seconds.filter)},
+                    {"topology", seconds_json(r.seconds.topology)}};
+  return dump(out) + "\n";
+}
+
+std::string micro_run_text(const MicroRunReport& r) {
+  if (!r.output || !r.counts) return "";
+  std::string text = "wrote  " + unbroken(harmless(r.output->path)) + "  " +
+                     counted(r.kept, "tile", "tiles") + " in " + counted(r.cells, "cell", "cells") +
+                     ", " + counted(r.counts->components, "component", "components") + ", genus " +
+                     std::to_string(r.counts->genus) + "\n";
+  if (!r.model) return text;
+  return text +
+         detail_line("cells", std::to_string(r.crossing) + " cross the boundary of the model, " +
+                                  std::to_string(r.touching) + " touch it, " +
+                                  std::to_string(r.outside) + " lie outside, " +
+                                  std::to_string(r.undecided) + " undecided");
+}
+
+}  // namespace veritope::report

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// report/micro_run_report.h: what veritope micro says of a microstructure that it made, or did not make.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solids/micro/micro_topology.h"
+
+namespace veritope::report {
+
+struct MicroRunReport {
+  struct File {
+    std::string path, sha256;
+    std::uint64_t bytes = 0;
+  };
+  /// Why nothing was written.
+  struct Defect {
+    std::string code;  ///< "cage", or the condition of docs/certificates/microstructure.md
+    std::optional<std::uint64_t> tile;                 ///< the number of a kind of tile
+    std::optional<std::array<std::uint64_t, 4>> cell;  ///< volume, i, j, k
+    std::optional<std::string> wall;                   ///< "u0"
+    std::string message;
+  };
+  struct Seconds {
+    double cage = 0, filter = 0, topology = 0;
+  };
+
+  File cage;
+  std::optional<File> model, output;
+  std::uint64_t cells = 0;
+  std::uint64_t kept = 0, crossing = 0, touching = 0, outside = 0, undecided = 0;
+  std::uint64_t kinds = 0;
+  std::optional<MicroCounts> counts;  ///< of what was written
+  std::vector<Defect> defects;
+  Seconds seconds;
+};
+
+/// The schema: docs/report.schema.json, micro_run. One line.
+std::string micro_run_json(const MicroRunReport& report);
+/// Lines for people, if something was written.
+std::string micro_run_text(const MicroRunReport& report);
+
+}  // namespace veritope::report

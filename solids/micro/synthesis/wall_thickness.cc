@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/micro/synthesis/wall_thickness.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interval/formula/formula_evaluator.h"
+#include "solids/micro/wall_pairs.h"
+#include "splines/de_boor.h"
+
+namespace veritope {
+namespace {
+
+std::string name_of_wall(const Microstructure& micro, const GridWall& w) {
+  const auto end =
+      static_cast<std::size_t>(w.at[w.axis] == micro.grids[w.grid].shape().size[w.axis]);
+  std::array<std::size_t, 3> cell = w.at;
+  cell[w.axis] -= end;
+  return std::string(1, "uvw"[w.axis]) + (end == 0 ? "0" : "1") + " of " +
+         name_of_cell(micro, w.grid, micro.grids[w.grid].shape().at(cell));
+}
+
+class WallEvaluator {
+ public:
+  WallEvaluator(const RealFormula& formula, const std::array<std::int32_t, 2>& limits,
+                const Microstructure& micro)
+      : formula_(formula), evaluator_(formula), limits_(limits), micro_(micro) {}
+
+  Result<std::int32_t> operator()(const GridWall& wall) {
+    const Result<RoundedValue> value =
+        evaluator_.round_to_multiple(values_at(wall), index_of(wall));
+    if (!value) return about(wall, value.error().message);
+    if (value->open.has_value()) return about(wall, value->open->message);
+    if (value->multiple < limits_[0] || value->multiple > limits_[1])
+      return about(wall, "the value " + std::to_string(value->multiple) + "/2^20 is not between " +
+                             std::to_string(limits_[0]) + "/2^20 and " +
+                             std::to_string(limits_[1]) + "/2^20");
+    return static_cast<std::int32_t>(value->multiple);
+  }
+
+ private:
+  Error about(const GridWall& wall, const std::string& what) const {
+    return bad_argument("wall " + name_of_wall(micro_, wall) + ": " + what);
+  }
+  std::vector<Rational> values_at(const GridWall& wall) const {
+    const VVolume& volume = micro_.cage[micro_.grids[wall.grid].volume];
+    const std::array<Rational, 3> at = middle_of(micro_, wall);
+    std::vector<Rational> out(3);
+    if (formula_.depends_on(0) || formula_.depends_on(1) || formula_.depends_on(2)) {
+      const std::vector<Rational> p = point(volume, at).value();
+      std::copy_n(p.begin(), 3, out.begin());
+    }
+    for (std::size_t a = 0; a < 3; ++a) {
+      const KnotAxis<Rational>& axis = volume.axis(a);
+      out.push_back((at[a] - axis.domain_begin()) / (axis.domain_end() - axis.domain_begin()));
+    }
+    return out;
+  }
+  // A number of its own for each wall, for rand.
+  std::uint64_t index_of(const GridWall& wall) const {
+    const Grid<3> shape = micro_.grids[wall.grid].wall_shape(wall.axis);
+    return ((std::uint64_t{wall.grid} << 40) + shape.at(wall.at)) * 3 + wall.axis;
+  }
+
+  const RealFormula& formula_;
+  FormulaEvaluator evaluator_;
+  std::array<std::int32_t, 2> limits_;
+  const Microstructure& micro_;
+};
+
+}  // namespace
+
+Status number_walls_by(const RealFormula& formula, const VModel& model,
+                       const std::array<std::int32_t, 2>& limits, Microstructure& micro) {
+  WallEvaluator evaluator(formula, limits, micro);
+  std::optional<std::array<std::int32_t, 2>> range;
+  const Status status = number_walls(
+      model,
+      [&](const GridWall& wall) {
+        Result<std::int32_t> n = evaluator(wall);
+        if (n)
+          range = range ? std::array{std::min((*range)[0], *n), std::max((*range)[1], *n)}
+                        : std::array{*n, *n};
+        return n;
+      },
+      micro);
+  if (!status || !range.has_value()) return status;
+  for (MicroTile& tile : micro.tiles)
+    if (tile.range.has_value()) tile.range = range;
+  return ok_status();
+}
+
+}  // namespace veritope

@@ -186,16 +186,15 @@ ExitCode run(const ConvertOptions& options, StandardOutput& out) {
 }
 
 void declare(OptionSet& set, ConvertOptions& o) {
-  declare_file(set, "IN", o.input,
-               "a mesh, splines or a microstructure; - is standard input\n(with --format)");
+  declare_file(set, "IN", o.input, "mesh, splines or vmicro; - is standard input (--format)");
   const auto take_output = [&o](const std::string& path) -> std::string {
     o.output = output_name(path);
     return "";
   };
   set.operand("OUT", take_output, "the new file; - is standard output (with --to)");
   set.text("--to", o.to,
-           "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; to "
-           "look at: vtu, obj, gltf;\na microstructure: vmicro",
+           "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; "
+           "vmicro; to see: vtu, obj, gltf",
            "V");
   set.length("--chord", "H", o.chord, "splines in obj, gltf: the distance of chords to aim at");
   set.flag("--float", o.single_precision, "binary PLY with binary32 coordinates");

@@ -62,7 +62,7 @@ def determinant(a, b, c):
 
 def facet(corners, centre, slopes=None, wall=None):
     """A patch of degrees (1, 1) through three or four corners in cyclic order, its normal away from the centre; its corners move by the slopes
-    times the number of the wall. Of three corners the first one is a collapsed side."""
+    times the number of the wall. A facet of three corners has the first one as a collapsed side."""
     rows = [list(map(lambda p: tuple(map(Q, p)), row)) for row in ([corners] if slopes is None else [corners, slopes])]
     a, b, c = (subtract(p, centre) for p in (rows[0][0], rows[0][1], rows[0][-1]))
     is_outward = determinant(a, b, c) > 0
@@ -113,10 +113,6 @@ def rod(name="rod", axis=2, first=(Q(1, 4), Q(3, 4)), second=(Q(1, 4), Q(3, 4)))
     centre = tuple(sum(p[c] for ring in rings for p in ring) / 8 for c in range(3))
     sides = [(rings[0][k], rings[0][(k + 1) % 4], rings[1][(k + 1) % 4], rings[1][k]) for k in range(4)]
     return polyhedron(name, [*rings, *sides], centre)
-
-
-def cut_off(point, z):
-    return (*point[:2], z)
 
 
 def pinched(name="pinched"):

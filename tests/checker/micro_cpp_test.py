@@ -56,6 +56,10 @@ def cup():
     return mf.polyhedron("cup", facets)
 
 
+def facet_of_hole():
+    return mf.facet([(HALF + a * Q(1, 8), HALF + b * Q(1, 8), Q(1)) for a, b in mf.CYCLE], mf.MIDDLE)
+
+
 def raised(patch):
     """The patch in the degrees (2, 2)."""
     def line(p, q):
@@ -361,16 +365,16 @@ class Lies(Judged):
         self.reject(one(mf.jack().copy(exit=8)), "F2")     # a side of an arm
         self.accept(one(mf.jack().copy(exit=2)), 1, 1, 0, 1, 1, 0)
         self.reject(one(mf.jack().copy(centre=(HALF, HALF + Q(1, 64), HALF))), "F2")
+        self.reject(one(mf.jack().copy(centre=(HALF + Q(1, 64), HALF, HALF), exit=4)), "F2")
         bigger = jack_or(lambda patches: patches.__setitem__(0, raised(patches[0])))
         self.reject(one(bigger), "F2")
         self.accept(one(bigger.copy(exit=3)), 1, 1, 0, 1, 1, 0)
 
     def test_f2_needs_a_parallelogram(self):
         def change(patches):
-            corner = (Q(0), HALF + Q(1, 8), HALF + Q(1, 8))
-            moved = (Q(0), HALF + Q(1, 8), HALF + Q(3, 16))
-            for k, s in enumerate(patches):
-                patches[k] = Patch([[moved if p == corner else p for p in s.points[0]]])
+            def moved(p):                                  # a trapezoid around the same middle
+                return (*p[:2], HALF + Q(3, 2) * (p[2] - HALF)) if p[:2] == (0, HALF + Q(1, 8)) else p
+            patches[:] = [Patch([list(map(moved, s.points[0]))]) for s in patches]
         self.reject(one(jack_or(change)), "F2")
         self.accept(one(jack_or(change).copy(exit=2)), 1, 1, 0, 1, 1, 0)
 
@@ -385,6 +389,28 @@ class Lies(Judged):
         self.reject(one(out), "T2")                        # arms end outside
         through = mf.rod(first=(-Q(1, 8), Q(3, 4)))
         self.reject(one(through), "T2")
+
+    def test_t2_no_coefficient_is_outside(self):
+        """The middle coefficient of a side lies outside of the cube, though its points do not."""
+        for x, verdict in ((Q(0), True), (-Q(1, 1 << 20), False)):
+            def bulge(patches, middle=x):
+                k = next(k for k, s in enumerate(patches) if all(p[0] == Q(1, 8) for p in s.points[0]))
+                patches[k] = raised(patches[k])
+                patches[k].points[0][4] = (middle, HALF, HALF)
+            tile = mf.rod(first=(Q(1, 8), Q(3, 4)))
+            bulge(tile.patches)
+            self.accept(one(tile), 1, 1, 0, 1, 1, 0) if verdict else self.reject(one(tile), "T2")
+
+    def test_t2_a_body_between_caps_in_a_wall(self):
+        """The hole of an annulus, whose sides are all sides of the cap, and which rises from the wall where t > 0."""
+        tile = cup()
+        annulus = [s for s in tile.patches if (HALF, HALF, Q(7, 8)) not in s.points[0]]
+        hole = raised(facet_of_hole())
+        dip = [[(Q(0),) * 3] * 9]
+        dip[0][4] = (Q(0), Q(0), -Q(1, 8))
+        tile = tile.copy(patches=[*annulus, Patch([hole.points[0], dip[0]], (2, 2), 5)], range=(0, WHOLE))
+        self.reject(one(tile), "T2")
+        self.accept(one(tile.copy(range=(1, WHOLE)), numbers=lambda *i: 1), 1, 1, 0, 1, 1, 0)
 
     def test_t2_a_side_in_a_wall(self):
         self.reject(one(mf.keel()), "T2")

@@ -130,8 +130,8 @@ def pinched(name="pinched"):
 
 
 def keel(name="keel", ridge=Q(0)):
-    """Caps [1/8, 1/4] x [3/8, 5/8] and [3/4, 7/8] x [3/8, 5/8] on z = 0, joined by a keel whose edge lies `ridge` above this wall; a cap on z = 1.
-    The caps are two patches each, so that the edge ends at vertices."""
+    """Caps [1/8, 1/4] x [3/8, 5/8] and [3/4, 7/8] x [3/8, 5/8] on z = 0, joined by a keel whose edge has its middle `ridge` above this wall; a cap
+    on z = 1. With 0 it lies in the wall, as one side. The caps are two patches each, so that the edge ends at vertices."""
     low, mid, high, deep = Q(3, 8), HALF, Q(5, 8), Q(1, 8)
     x = [Q(1, 8), Q(1, 4), Q(3, 4), Q(7, 8)]
 
@@ -144,7 +144,8 @@ def keel(name="keel", ridge=Q(0)):
     middle = (HALF, mid, ridge)
     for y, t in ((low, tops[:2]), (high, (tops[3], tops[2]))):
         notch = (HALF, y, deep)
-        facets += [(p(1, y), p(1, mid), notch), (p(2, y), p(2, mid), notch), (p(1, mid), middle, notch), (p(2, mid), middle, notch)]
+        facets += [(p(1, y), p(1, mid), notch), (p(2, y), p(2, mid), notch)]
+        facets += [(p(1, mid), middle, notch), (p(2, mid), middle, notch)] if ridge else [(p(1, mid), p(2, mid), notch)]
         facets += [(t[0], p(0, y), p(1, y)), (t[0], p(1, y), notch), (t[0], t[1], notch), (t[1], notch, p(2, y)), (t[1], p(2, y), p(3, y))]
     facets += [(t, p(i, mid), p(i, y)) for i, ends in ((0, (tops[0], tops[3])), (3, (tops[1], tops[2]))) for t, y in zip(ends, (low, high))]
     facets += [(tops[0], tops[3], p(0, mid)), (tops[1], tops[2], p(3, mid))]

@@ -199,6 +199,17 @@ class Cages(Judged):
                 codes.add((order[along[0]], flips[along[0]], flips[along[1]]))
         self.assertEqual(len(codes), 8)
 
+    def test_domains_of_glued_volumes_may_differ(self):
+        bar = mf.rod(axis=0, first=(Q(1, 8), Q(3, 8)), second=(Q(1, 4), Q(5, 8)))
+        cage = [mf.volume(), mf.volume(lambda x, y, z: (x + 1, y, z), domain=(1, 3))]
+        cells = {(0, 0, 0): 0, (0, 1, 0): 0}
+        grids = [Grid([[0, 1], [0, HALF, 1], [0, 1]], cells), Grid([[1, 2], [1, 2, 3], [1, 3]], cells, volume=1)]
+        self.accept(Micro(grids, [bar], cage), 4, 4, 2, 2, 2, 0)
+        grids[1] = Grid([[1, 2], [1, Q(3, 2), 3], [1, 3]], cells, volume=1)
+        self.reject(Micro(grids, [bar], cage), "T4")
+        grids[1] = Grid([[2, 3], [1, 2, 3], [1, 3]], cells, volume=1)          # not at the face
+        self.accept(Micro(grids, [bar], cage), 4, 4, 0, 4, 4, 0)
+
     def test_finer_grids_across_a_turned_face(self):
         """Cells of one size in the first volume, and of half the size in the second one, whose face is turned."""
         for order, flips in (((0, 1, 2), (0, 0, 0)), ((0, 2, 1), (0, 1, 0)), ((1, 0, 2), (0, 1, 0)), ((0, 1, 2), (0, 1, 1)), ((2, 0, 1), (1, 0, 1))):

@@ -169,8 +169,8 @@ def twice_wound(name="twice"):
 
 # ---------------------------------------------------------------- files
 
-def volume(place=lambda *x: x, order=(0, 1, 2), flips=(0, 0, 0), degree=1, scale=1):
-    """A cell of the degree (1: trilinear) over [0, scale]^3, as an entity. place: from the unit cube to space. The parameter k of the cell is
+def volume(place=lambda *x: x, order=(0, 1, 2), flips=(0, 0, 0), degree=1, domain=(0, 1)):
+    """A cell of the degree (1: trilinear) over the domain along each axis, as an entity. place: from the unit cube to space. The parameter k of the cell is
     coordinate order[k] of the unit cube, taken from 1 if flips[k]."""
     def at(*parameters):
         x = [0, 0, 0]
@@ -179,7 +179,7 @@ def volume(place=lambda *x: x, order=(0, 1, 2), flips=(0, 0, 0), degree=1, scale
         return place(*x)
     points = [at(*(Q(i, degree) for i in index)) for index in itertools.product(range(degree + 1), repeat=3)]
     return {"kind": "volume", "group": None, "attributes": [], "shape": {
-        "degrees": [degree] * 3, "periodic": [False] * 3, "knots": [["0"] * (degree + 1) + [str(Q(scale))] * (degree + 1)] * 3, "rational": False,
+        "degrees": [degree] * 3, "periodic": [False] * 3, "knots": [[str(Q(t)) for t in domain for _ in range(degree + 1)]] * 3, "rational": False,
         "components": 3, "points": [[str(Q(c)) for c in p] for p in points]}}
 
 

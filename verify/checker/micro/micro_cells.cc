@@ -7,8 +7,8 @@
 
 namespace {
 
-// Limits of this checker: of the pieces and caps of all cells; of the answers that it keeps; of the pairs of breaks that
-// it compares; of the coefficients of caps that it compares.
+// Limits of this checker: of the pieces and caps of all cells; of the answers that it keeps; of the
+// pairs of intervals that overlap; of the coefficients of caps that it compares.
 const uint64_t kFreeNodes = 1 << 26, kNodesOfCell = 32;
 const size_t kMostAnswers = 1 << 16;
 const uint64_t kMostOverlaps = 1 << 27, kMostWorkOfCaps = 1 << 30;

@@ -38,20 +38,28 @@ class Checker:
             raise Reject(condition, why)
 
     def run(self):
+        for key, value in self.numbers().items():
+            if self.statement[key] != value:
+                self.fail("W3", "%s are %s, the statement says %d" % (key, value, self.statement[key]))
+
+    def numbers(self):
+        """Tests all conditions but W3; returns the numbers of section 7."""
         self.test_b2()
         tiles = [Tile(*tile, *hint, self.skip) for tile, hint in zip(self.model.tiles, self.hints)]
-        cage = vmodel_check.Checker(self.statement, self.of_cage, self.model.cage, self.skip)
-        cage.numbers()
+        grids, codes = self.model.grids, self.codes_of_cage()
         for tile in tiles:
             tile.test()
-        grids, codes = self.model.grids, cage.cert.codes
         test_cells(grids, tiles, lambda grid, wall: codes[6 * grid.volume + wall] == 1
                    and lies_in_face(grid, wall, self.model.cage), self.skip)
         meetings = Meetings(grids, Caps(tiles, self.skip))
         meetings.find(self.model.cage, codes)
-        for key, value in numbers(tiles, grids, meetings).items():
-            if self.statement[key] != value:
-                self.fail("W3", "%s are %s, the statement says %d" % (key, value, self.statement[key]))
+        return count(tiles, grids, meetings)
+
+    def codes_of_cage(self):
+        """The codes of the faces of the cage's volumes, if the conditions of vmodel-1 hold but for W3."""
+        cage = vmodel_check.Checker(self.statement, self.of_cage, self.model.cage, self.skip)
+        cage.numbers()
+        return cage.cert.codes
 
     def test_b2(self):
         if sum(9 * p * q * (3 * len(patch.lists) - 2) for _, patches in self.model.tiles for patch in patches
@@ -64,7 +72,7 @@ class Checker:
 
 # ---------------------------------------------------------------- section 7
 
-def numbers(tiles, grids, meetings):
+def count(tiles, grids, meetings):
     cells = b"".join(grid.cells for grid in grids)
     held, used = len(cells) - cells.count(0), Counter(meetings.kinds)
     chi = sum(Fraction(tile.chi(), 2) * cells.count(n + 1) for n, tile in enumerate(tiles))

@@ -435,13 +435,37 @@ def tips(rng):
 
 
 def pinched(rng):
-    """T3: two caps of a wall have a common vertex."""
+    """T3: a ring of a cap touches itself in a vertex, where the next cell's does so, too; or two caps have a common vertex (which T4 does
+    not allow beside equal ones, either)."""
     wall = rng.randrange(6)
-    caps = [(i, j) for i, j in itertools.product((1, 2), repeat=2)] + [(i, j) for i, j in itertools.product((2, 3), repeat=2)]
+    if rng.random() < .3:
+        caps, n, name = [*itertools.product((1, 2), repeat=2), *itertools.product((2, 3), repeat=2)], 5, "T3_two_caps"
+    else:
+        caps = [v for v in itertools.product(range(1, 8), repeat=2) if v not in ((4, 4), (1, 1), (1, 2), (2, 1), (2, 2))]
+        n, name = 8, "T3_ring"
     if rng.random() < .5:
-        caps = [(i, 5 - j) for i, j in caps]
-    of_walls = {wall: caps, OPPOSITE[wall]: caps, (wall + 2) % 6: examples.pattern("centre", 5)}
-    yield "T3_pinched", told(small(rng, [with_patterns(5, of_walls)], counts=line_along(wall // 2), cells=[[0, 0]]), "T3")
+        caps = [(i, n - j) for i, j in caps]
+    exit, middle = (wall + 2) % 6, Q(7, 16) if n == 8 else HALF
+    exits = list(itertools.product((3, 4), repeat=2)) if n == 8 else examples.pattern("centre", 5)
+    tile = with_patterns(n, {wall: caps, OPPOSITE[wall]: caps, exit: exits}, scale=(rng.choice((Q(1), Q(9, 10))) if n < 8 else Q(1), Q(0)),
+                         centre=tuple(HALF if a == exit // 2 else middle for a in range(3)))
+    yield name, told(small(rng, [tile], counts=line_along(wall // 2), cells=[[0, 0]]), "T3")
+
+
+def crossing_keels(rng):
+    """T2(2): an edge runs in the wall from one cap to another, and another one across it on the other side."""
+    first = [*itertools.product((1, 2), (2, 3)), *itertools.product((3, 4), (3, 4))]
+    second = [*itertools.product((2, 3), (1, 2)), *itertools.product((3, 4), (3, 4))]
+    even, xs, ys = [[Q(c, 100) for c in places] for places in ((0, 20, 40, 60, 80, 100), (0, 20, 42, 50, 58, 100), (0, 20, 55, 65, 90, 100))]
+    axis = rng.randrange(3)
+    p, q = examples.OTHERS[axis]
+    places, centre = [even] * 3, [HALF] * 3
+    places[p], places[q], centre[q] = xs, ys, Q(3, 5)
+    exit = 2 * p + rng.randrange(2)
+    cap = examples.pattern("centre", 5)
+    low = with_patterns(5, {exit: cap, 2 * axis + 1: first}, scale=(Q(1), Q(0)))
+    high = with_patterns(5, {exit: cap, 2 * axis: second}, scale=(Q(1), Q(0)), centre=tuple(centre), places=places)
+    yield "T2 side", told(small(rng, [low, high], [[0, 1]], counts=line_along(axis)), "T2 side")
 
 
 def out_of_range(rng):
@@ -670,7 +694,7 @@ def malformed(rng):
     yield "magic", true.changed(values=values, magic=rng.choice((b"VTVM", b"vtms")))
 
 
-STRATEGIES = ((open_tiles, 8), (folded_tiles, 8), (wound_tiles, 8), (full_cells, 5), (bulging, 6), (keels, 5), (tips, 5), (pinched, 5),
+STRATEGIES = ((open_tiles, 8), (folded_tiles, 8), (wound_tiles, 8), (full_cells, 5), (bulging, 6), (keels, 4), (crossing_keels, 3), (tips, 5), (pinched, 5),
               (out_of_range, 6), (in_collapsed_walls, 6), (caps_that_differ, 14), (numbers_that_differ, 8), (turned_caps, 4),
               (coarse_and_fine_overlap, 6), (wrong_numbers, 8), (other_cells, 4), (bad_hints, 4), (false_cages, 10), (malformed, 1))
 

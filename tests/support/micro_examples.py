@@ -69,9 +69,10 @@ def pattern(kind, n):
             "row": [v for v in itertools.product(inner, repeat=2) if v[0] in near]}[kind]
 
 
-def lattice_tile(n, patterns, scale=(Q(9, 10), Q(1, 20)), extent=(0, UNIT), depth=None, centre=None, name="tile"):
-    """patterns: the vertices in each wall. Those are at 1/2 + (x / n - 1/2) (s + r t) with (s, r) = scale; the others are drawn to the
-    middle by the factor depth(vertex)."""
+def lattice_tile(n, patterns, scale=(Q(9, 10), Q(1, 20)), extent=(0, UNIT), depth=None, centre=None, name="tile", places=None):
+    """places: of the lattice along each axis, i / n if there are none. patterns: the vertices in each wall. Those are at 1/2 + (place - 1/2) (s + r t)
+    with (s, r) = scale; the others are drawn to the middle by the factor depth(vertex)."""
+    places = places or [[Q(i, n) for i in range(n + 1)]] * 3
     depth, (s, r) = depth or (lambda v: Q(4, 5)), scale
     in_wall = {}
     for wall, chosen in enumerate(patterns):
@@ -84,14 +85,14 @@ def lattice_tile(n, patterns, scale=(Q(9, 10), Q(1, 20)), extent=(0, UNIT), dept
     for v in itertools.product(range(n + 1), repeat=3):
         if not any(x in (0, n) for x in v):
             continue
-        off = [Q(x, n) - HALF for x in v]
+        off = [places[a][x] - HALF for a, x in enumerate(v)]
         wall = in_wall.get(v)
         if wall is None:
             factor = depth(v)
             vertices[v] = None, tuple(HALF + x * factor for x in off), (0, 0, 0)
         else:
             axis, moves = wall // 2, extent is not None
-            vertices[v] = (wall, tuple(Q(v[a], n) if a == axis else HALF + off[a] * s for a in range(3)),
+            vertices[v] = (wall, tuple(places[a][v[a]] if a == axis else HALF + off[a] * s for a in range(3)),
                            tuple(off[a] * r if a != axis and moves else Q(0) for a in range(3)))
     for wall in range(6):
         axis, end = wall // 2, wall % 2
@@ -106,7 +107,8 @@ def lattice_tile(n, patterns, scale=(Q(9, 10), Q(1, 20)), extent=(0, UNIT), dept
     if not r:
         extent = None
     tile = Tile(vertices, quads, extent, name=name)
-    tile.centre, tile.exit = centre or tile.centre, exit_of(tile)
+    tile.centre = centre or tile.centre
+    tile.exit = exit_of(tile)
     return tile
 
 

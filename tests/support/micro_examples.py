@@ -70,7 +70,7 @@ def pattern(kind, n):
 
 
 def lattice_tile(n, patterns, scale=(Q(9, 10), Q(1, 20)), extent=(0, UNIT), depth=None, centre=None, name="tile", places=None):
-    """places: of the lattice along each axis, i / n if there are none. patterns: the vertices in each wall. Those are at 1/2 + (place - 1/2) (s + r t)
+    """places: of the lattice along each axis, by default i / n. patterns: the vertices in each wall. Those are at 1/2 + (place - 1/2) (s + r t)
     with (s, r) = scale; the others are drawn to the middle by the factor depth(vertex)."""
     places = places or [[Q(i, n) for i in range(n + 1)]] * 3
     depth, (s, r) = depth or (lambda v: Q(4, 5)), scale
@@ -234,7 +234,7 @@ class Micro:
         return [self.walls[grid][axis][n] for axis, n in (self.wall_index(grid, cell, w) for w in range(6))]
 
     def parameters(self, grid, cell, point):
-        """Of a point of the unit cube."""
+        """The parameters in the volume of a point of the unit cube."""
         breaks = self.grids[grid][1]
         return tuple(b[i] + (b[i + 1] - b[i]) * x for b, i, x in zip(breaks, self.index(grid, cell), point))
 

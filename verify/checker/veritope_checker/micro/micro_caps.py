@@ -39,7 +39,8 @@ class Match:
     in the cap's border)."""
 
     def __init__(self, pairs):
-        self.pairs = [(a.number, b.number, sorted({(a.rim[c], b.rim[c]) for c in a.rim if c in b.rim})) for a, b in pairs]
+        self.pairs = [(a.number, b.number, sorted({(a.rim[c], b.rim[c]) for c in a.rim if c in b.rim}))
+                      for a, b in pairs]
         self.masks = [sum(1 << pair[k] for pair in self.pairs) for k in (0, 1)]
         self.chi = sum(a.chi for a, _ in pairs)
         self.key = "%s %d" % (self.pairs, self.chi)

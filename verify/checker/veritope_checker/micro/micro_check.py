@@ -86,7 +86,8 @@ def count(tiles, grids, meetings):
     components = held - joined(classes)
     pieces = {key: tiles[key[0] - 1].pieces(key[1]) for key in set(zip(cells, masks)) if key[0]}
     # Each pair of equal caps joins one piece of its cells to one, if cells have no more than one.
-    shells = components if all(count == 1 for _, count in pieces.values()) else num_shells(meetings, cells, masks, pieces)
+    is_one = all(count == 1 for _, count in pieces.values())
+    shells = components if is_one else num_shells(meetings, cells, masks, pieces)
     return {"cells": len(cells), "tiles": held, "components": components, "shells": shells, "genus": shells - chi,
             "glued_caps": sum(len(meetings.matches[kind].pairs) * count for kind, count in used.items())}
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Polynomials of the patches of tiles (docs/certificates/microstructure.md, sections 3 to 6): Bernstein forms in u, v and
-the number t of a wall, forms in powers, and G."""
+"""Polynomials of the patches of tiles (docs/certificates/microstructure.md, sections 3 to 6): Bernstein forms in u, v
+and the number t of a wall, forms in powers, and G."""
 from fractions import Fraction
 from functools import lru_cache
 from math import comb, gcd, lcm
@@ -13,12 +13,12 @@ from ..vmodel.vmodel_glue import moved
 from ..vmodel.vmodel_sign import Packing, difference
 
 UNIT = 1 << 20                                              # a wall with the number k has t = k / UNIT
-MAX_SIZE = 1 << 20                                          # bits of the coefficients of one G
+MAX_SIZE = 1 << 20                                          # a limit of this checker: coefficients of G times their bits
 
 @lru_cache(1000)
 def matrix_in_t(r, extent):
-    """(rows, common denominator): row i has the factors of the r lists of a patch in its Bernstein coefficients with the
-    index i in t, times the denominator."""
+    """(rows, common denominator): row i has the factors of the r lists of a patch in its Bernstein coefficients with
+    the index i in t, times the denominator."""
     lo, hi = [Fraction(k, UNIT) for k in extent or (0, 0)]
     if lo == hi:
         rows = [[lo ** m for m in range(r)]]
@@ -106,7 +106,8 @@ class Winding:
     def coefficients(self):
         """{index: the coefficient of the index in u, v, t, times a factor > 0}"""
         packing = Packing(self.of_g, 3 * (self.bits + sum(self.sizes)) + 6)
-        (a, b, c), (d, e, f) = [[packing.packed(*difference(v, axis, self.sizes)) for v in self.values] for axis in (0, 1)]
+        (a, b, c), (d, e, f) = [[packing.packed(*difference(v, axis, self.sizes)) for v in self.values]
+                                for axis in (0, 1)]
         g, h, i = [packing.packed(v, self.sizes) for v in self.values]
         found = iter(packing.unpacked(a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g)))
         l, m, n = self.of_g

@@ -84,7 +84,8 @@ def check_model(model):
 
 def read_grid(grid, cage):
     volume, breaks = members(grid, "volume", "breaks")
-    volume, breaks = whole(volume, 0, len(cage) - 1), [[number(t) for t in typed(b, list)] for b in a_list(breaks, 3, 3)]
+    whole(volume, 0, len(cage) - 1)
+    breaks = [[number(t) for t in typed(b, list)] for b in a_list(breaks, 3, 3)]
     for axis, b in enumerate(breaks):
         knots = cage[volume].knots[axis]
         if len(b) < 2 or any(s >= t for s, t in zip(b, b[1:])) or b[0] < knots[0] or b[-1] > knots[-1]:
@@ -163,7 +164,8 @@ def read_walls(grid, lists):
     for axis, values in enumerate(a_list(lists, 3, 3)):
         step, n = grid.stride(axis), grid.counts[axis]
         count = grid.num_cells // n * (n + 1)
-        if not set(map(type, a_list(values, count, count))) <= {int} or not 0 <= min(values) <= max(values) <= MAX_NUMBER:
+        kinds = set(map(type, a_list(values, count, count)))
+        if kinds != {int} or not 0 <= min(values) <= max(values) <= MAX_NUMBER:
             raise Refused("a number of a wall is no integer from 0 to %d" % MAX_NUMBER)
         for cell, wall in grid.blocks(axis):
             held, none = grid.cells[cell:cell + n * step], bytes(step)

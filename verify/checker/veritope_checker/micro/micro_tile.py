@@ -11,8 +11,8 @@ from .micro_polynomials import Winding, at_number, curve_key, in_bernstein
 MAX_VISITED, MAX_LEVEL = 4096, 40
 
 class Patch:
-    """lists: in integers, over `unit`; coefficients: lists of points, one for each index in t, over `common`.  sides[s]: None if it is collapsed, else (patch, side) of
-    the one that it is paired with, or () if there is none."""
+    """lists: in integers, over `unit`; coefficients: lists of points, one for each index in t, over `common`.
+    sides[s]: None if it is collapsed, else (patch, side) of the one that it is paired with, or () without a partner."""
 
     def __init__(self, patch, extent, centre):
         self.wall, self.degrees = patch.wall, patch.degrees

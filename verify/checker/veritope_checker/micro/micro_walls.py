@@ -59,8 +59,8 @@ def border(grid, wall):
 # ---------------------------------------------------------------- walls that meet
 
 class Meetings:
-    """The pairs of cells that have equal caps.  first, second: cells, counted over all grids; matches[kinds[n]]: of pair
-    n."""
+    """The pairs of cells that have equal caps.  first, second: cells, counted over all grids; matches[kinds[n]]: what
+    pair n has in common."""
 
     def __init__(self, grids, caps):
         self.grids, self.caps, self.count = grids, caps, 0
@@ -78,7 +78,8 @@ class Meetings:
         for n, wall in sheets:
             grid = self.grids[n]
             t = grid.breaks[wall // 2][-(wall % 2)]
-            planes.setdefault((grid.volume, wall // 2, "%x/%x" % (t.numerator, t.denominator)), ([], []))[wall % 2].append(n)
+            plane = grid.volume, wall // 2, "%x/%x" % (t.numerator, t.denominator)
+            planes.setdefault(plane, ([], []))[wall % 2].append(n)
             if lies_in_face(grid, wall, volumes):
                 faces.setdefault(6 * grid.volume + wall, []).append(n)
         for (_, axis, _), (begin, end) in planes.items():
@@ -121,7 +122,8 @@ class Meetings:
                     families[pair] = self.caps.family(pair[0] - 1, 2 * axis + 1, pair[1] - 1, 2 * axis, UNPLACED)
                 match = families[pair]
                 if match is None:
-                    match = self.caps.match(pair[0] - 1, 2 * axis + 1, (grid, c), pair[1] - 1, 2 * axis, (grid, c + step))
+                    match = self.caps.match(pair[0] - 1, 2 * axis + 1, (grid, c),
+                                            pair[1] - 1, 2 * axis, (grid, c + step))
                 if match.pairs:
                     self.see(base + c, base + c + step, match)
 

@@ -13,7 +13,7 @@ from ..vmodel.vmodel_glue import moved
 from ..vmodel.vmodel_sign import Packing, difference
 
 UNIT = 1 << 20                                              # a wall with the number k has t = k / UNIT
-MAX_SIZE = 1 << 20                                          # a limit of this checker: coefficients of G times their bits
+MAX_SIZE = 1 << 20                                          # coefficients of one G times their bits: a limit of our own
 
 @lru_cache(1000)
 def matrix_in_t(r, extent):

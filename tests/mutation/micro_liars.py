@@ -73,6 +73,12 @@ class Kind:
         self.scale = (rng.choice((Q(17, 20), Q(9, 10))), grows)
         self.lo = rng.choice((0, rng.randrange(UNIT)))
         self.hi = rng.choice((self.lo, rng.randint(self.lo, UNIT), UNIT))
+        self.driver = rng.sample(ALL, 6) if rng.random() < .1 else ALL
+        self.same = rng.randint(self.lo, self.hi) if self.driver != ALL else None
+
+    def number(self, rng):
+        """Of a wall; if caps depend on other walls than their own, all numbers are equal."""
+        return rng.randint(self.lo, self.hi) if self.same is None else self.same
 
     def tile(self, rng, kinds, **options):
         """kinds: for each wall main, exit or none."""
@@ -82,7 +88,7 @@ class Kind:
             return depths.setdefault(v, low + Q(rng.randrange(33), 256))
         extent = (rng.choice((self.lo, rng.randint(0, self.lo))), rng.choice((self.hi, rng.randint(self.hi, UNIT))))
         tile = examples.lattice_tile(self.n, [examples.pattern({"main": self.main, "exit": self.exit, "none": "none"}[k], self.n) for k in kinds],
-                                     self.scale, extent, depth, **options)
+                                     self.scale, extent, depth, driver=self.driver, **options)
         tile.kinds = kinds
         return described(tile, rng)
 
@@ -198,7 +204,7 @@ def some_micro(rng):
     grids, are_even = some_grids(rng, plan)
     if kind.n == 7:
         grids = grids[:2]
-    micro = filled(rng, plan, grids, kind.some_tiles(rng), kind.fit, are_even, lambda: rng.randint(kind.lo, kind.hi),
+    micro = filled(rng, plan, grids, kind.some_tiles(rng), kind.fit, are_even, lambda: kind.number(rng),
                    rng.choice((1, .8, .5)))
     if rng.random() < .3:
         micro.model = {"name": "a.stl", "sha256": "0123456789abcdef" * 4}
@@ -575,6 +581,19 @@ def numbers_that_differ(rng):
         yield "T4_numbers", told(micro, "T4")
 
 
+def driven_by_other_walls(rng):
+    """T4: caps depend on the numbers of other walls than their own, and these differ."""
+    wall = rng.randrange(6)
+    driver = [(w + rng.choice([d for d in range(2, 6) if (w + d) % 6 // 2 != w // 2])) % 6 for w in ALL]
+    tile = examples.lattice_tile(3, [examples.pattern("centre", 3)] * 6, scale=(Q(9, 10), Q(1, 20)), driver=driver)
+    axis, k = wall // 2, rng.randrange(UNIT)
+    counts = line_along(axis)
+    micro = small(rng, [tile], [[0, 0]], counts=counts, walls=[[[k] * (2 // n * (n + 1)) for n in counts]])
+    of, n = micro.wall_index(0, 0, driver[2 * axis + 1])
+    micro.walls[0][of][n] = rng.choice((k + 1, UNIT))
+    yield "T4_driven", told(micro, "T4")
+
+
 def turned_caps(rng):
     """T4: caps that a turn changes, in the wall of two volumes whose parameters are turned."""
     plan = in_json(cage_named(rng.choice(("two, one of them mirrored and turned", "two with breaks", "a ring", "two"))))
@@ -686,7 +705,7 @@ def malformed(rng):
 
 
 STRATEGIES = ((open_tiles, 8), (folded_tiles, 8), (wound_tiles, 8), (full_cells, 5), (bulging, 6), (keels, 4), (crossing_keels, 3), (tips, 5), (pinched, 5),
-              (out_of_range, 6), (in_collapsed_walls, 6), (caps_that_differ, 14), (numbers_that_differ, 8), (turned_caps, 4),
+              (out_of_range, 6), (in_collapsed_walls, 6), (caps_that_differ, 14), (numbers_that_differ, 8), (driven_by_other_walls, 4), (turned_caps, 4),
               (coarse_and_fine_overlap, 6), (wrong_numbers, 8), (other_cells, 4), (bad_hints, 4), (false_cages, 10), (malformed, 1))
 
 

@@ -20,10 +20,11 @@ KEYS = ("cells", "tiles", "glued_caps", "components", "shells", "genus")
 # ---------------------------------------------------------------- tiles
 
 class Tile:
-    """vertices: {name: (wall or None, point, what t adds to it)}; quads: four names each, counterclockwise as seen from outside. A quad
+    """vertices: {name: (wall or None, point, what t adds to it)}, where t is the number of the wall driver[wall]; quads: four names each, counterclockwise as seen from outside. A quad
     is a bilinear patch, turned by turns[n] and written by `written`, if that is given."""
 
-    def __init__(self, vertices, quads, extent, centre=(HALF,) * 3, exit=0, name="tile"):
+    def __init__(self, vertices, quads, extent, centre=(HALF,) * 3, exit=0, name="tile", driver=range(6)):
+        self.driver = driver
         self.vertices, self.quads, self.extent, self.centre, self.exit, self.name = vertices, quads, extent, centre, exit, name
         self.patches = [self.patch(n) for n in range(len(quads))]
 
@@ -34,11 +35,11 @@ class Tile:
         assert len(walls) < 2
         order = (0, 3, 1, 2)
         lists = [[list(corners[c][1 + k]) for c in order] for k in range(2 if walls else 1)]
-        return (walls.pop() if walls else None), (1, 1), lists
+        return (self.driver[walls.pop()] if walls else None), (1, 1), lists
 
     def at(self, name, numbers):
         wall, point, more = self.vertices[name]
-        t = Q(numbers[wall], UNIT) if wall is not None and any(more) else 0
+        t = Q(numbers[self.driver[wall]], UNIT) if wall is not None and any(more) else 0
         return tuple(a + b * t for a, b in zip(point, more))
 
     def wall_of(self, name):
@@ -69,7 +70,7 @@ def pattern(kind, n):
             "row": [v for v in itertools.product(inner, repeat=2) if v[0] in near]}[kind]
 
 
-def lattice_tile(n, patterns, scale=(Q(9, 10), Q(1, 20)), extent=(0, UNIT), depth=None, centre=None, name="tile", places=None):
+def lattice_tile(n, patterns, scale=(Q(9, 10), Q(1, 20)), extent=(0, UNIT), depth=None, centre=None, name="tile", places=None, driver=range(6)):
     """places: of the lattice along each axis, by default i / n. patterns: the vertices in each wall. Those are at 1/2 + (place - 1/2) (s + r t)
     with (s, r) = scale; the others are drawn to the middle by the factor depth(vertex)."""
     places = places or [[Q(i, n) for i in range(n + 1)]] * 3
@@ -106,7 +107,7 @@ def lattice_tile(n, patterns, scale=(Q(9, 10), Q(1, 20)), extent=(0, UNIT), dept
             quads.append(tuple(quad))
     if not r:
         extent = None
-    tile = Tile(vertices, quads, extent, name=name)
+    tile = Tile(vertices, quads, extent, name=name, driver=driver)
     tile.centre = centre or tile.centre
     tile.exit = exit_of(tile)
     return tile

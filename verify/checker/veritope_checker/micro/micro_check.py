@@ -84,7 +84,8 @@ def count(tiles, grids, meetings):
         masks[b] |= other
         classes.unite(a, b)
     components = held - joined(classes)
-    pieces = {key: tiles[key[0] - 1].pieces(key[1]) for key in set(zip(cells, masks)) if key[0]}
+    masks = list(map(hex, masks))                           # a text has a keyed hash
+    pieces = {key: tiles[key[0] - 1].pieces(int(key[1], 16)) for key in set(zip(cells, masks)) if key[0]}
     # Each pair of equal caps joins one piece of its cells to one, if cells have no more than one.
     is_one = all(count == 1 for _, count in pieces.values())
     shells = components if is_one else num_shells(meetings, cells, masks, pieces)

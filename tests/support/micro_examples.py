@@ -257,6 +257,17 @@ class Micro:
 
     # ------------------------------------------------------------ the truth
 
+    def equal_walls(self):
+        """The number of pairs of walls whose patches have the same corners in space."""
+        seen = []
+        for g, c in self.held():
+            tile, numbers = self.tiles[self.cells[g][c]], self.numbers(g, c)
+            for wall in range(6):
+                quads = [frozenset(self.in_space(g, c, tile.at(name, numbers)) for name in tile.quads[n]) for n in tile.caps(wall)]
+                if quads:
+                    seen.append(frozenset(quads))
+        return len(seen) - len(set(seen))
+
     def settled(self):
         """With the true numbers."""
         self.values = self.truth()

@@ -474,6 +474,30 @@ def crossing_keels(rng):
     yield "T2 side", told(small(rng, [low, high], [[0, 1]], counts=line_along(axis)), "T2 side")
 
 
+def bad_members(rng):
+    """F1, T2: only the member of the family that the cells hold, at an end of the range, is folded, leaves the cube, or touches a wall."""
+    name, wall, is_low = rng.choice(("F1", "T2", "T2 corner")), rng.randrange(6), rng.random() < .5
+    axis = wall // 2
+    tile = with_patterns(5, {(wall + 2) % 6: examples.pattern("centre", 5)})
+    place, sideways = rng.choice((2, 3)), rng.choice((-1, 1)) * Q(2, 5)
+    out = Q(1) if name == "T2 corner" else 1 + rng.choice((HAIR, Q(1, 8)))
+    for of in (2 * axis, 2 * axis + 1):
+        v = [place] * 3
+        v[axis] = 5 * (of % 2)
+        _, point, _ = tile.vertices[tuple(v)]
+        step = [(of % 2 - c) * out if a == axis else Q(0) for a, c in enumerate(point)]
+        if name == "F1":
+            step = [sideways if a == examples.OTHERS[axis][0] else Q(0) for a in range(3)]
+        if is_low:
+            point, step = [a + b for a, b in zip(point, step)], [-b for b in step]
+        tile.vertices[tuple(v)] = of, tuple(point), tuple(step)
+    tile.extent = (0, UNIT)
+    tile.patches = [tile.patch(n) for n in range(len(tile.quads))]
+    counts = line_along(axis)
+    walls = [[[0 if is_low else UNIT] * (2 // n * (n + 1)) for n in counts]]
+    yield name if " " in name else name + "_member", told(small(rng, [tile], [[0, 0]], counts=counts, walls=walls), name)
+
+
 def out_of_range(rng):
     """G1: arms of a jack cross each other once their numbers are large."""
     lo = rng.choice((0, UNIT // 8))
@@ -700,7 +724,7 @@ def malformed(rng):
     yield "magic", true.changed(values=values, magic=rng.choice((b"VTVM", b"vtms")))
 
 
-STRATEGIES = ((open_tiles, 8), (folded_tiles, 8), (wound_tiles, 8), (full_cells, 5), (bulging, 6), (keels, 4), (crossing_keels, 3), (tips, 5), (pinched, 5),
+STRATEGIES = ((open_tiles, 8), (folded_tiles, 8), (wound_tiles, 8), (full_cells, 5), (bulging, 6), (keels, 4), (crossing_keels, 3), (tips, 5), (pinched, 5), (bad_members, 6),
               (out_of_range, 6), (in_collapsed_walls, 6), (caps_that_differ, 14), (numbers_that_differ, 8), (driven_by_other_walls, 4), (turned_caps, 4),
               (coarse_and_fine_overlap, 6), (wrong_numbers, 8), (other_cells, 4), (bad_hints, 4), (false_cages, 10), (malformed, 1))
 

@@ -77,7 +77,7 @@ class Kind:
         self.same = rng.randint(self.lo, self.hi) if self.driver != ALL else None
 
     def number(self, rng):
-        """Of a wall; if caps depend on other walls than their own, all numbers are equal."""
+        """The number of a wall; where caps depend on other walls than their own, all numbers are equal."""
         return rng.randint(self.lo, self.hi) if self.same is None else self.same
 
     def tile(self, rng, kinds, **options):
@@ -236,9 +236,35 @@ def coarse_and_fine(rng):
     return micro.settled()
 
 
+IMAGES = tuple(itertools.product((0, 1), repeat=3))
+
+
+def turned_pair(rng, image=None):
+    """Two cells in glued faces, with a cap that is another one after each symmetry of the square; image: of the second one, by default the
+    one that fits."""
+    while True:
+        plan = in_json(vmodel_liars.random_polycube(rng))
+        glued = [(f, code[0]) for f, code in enumerate(plan.codes) if isinstance(code, tuple)]
+        if glued:
+            break
+    f, g = rng.choice(glued)
+    cap = [v for v in itertools.product(range(1, 5), repeat=2) if v not in ((4, 1), (4, 2))]
+
+    def tile(face, turn):
+        swap, first, second = turn
+        of = [v[::-1] if swap else v for v in cap]
+        of = [(5 - i if first else i, 5 - j if second else j) for i, j in of]
+        return with_patterns(5, {face % 6: of, (face % 6 + 2) % 6: examples.pattern("centre", 5)}, scale=(Q(9, 10), Q(0)))
+    for turn in IMAGES if image is None else (image,):
+        micro = examples.Micro(plan, [(x // 6, even_breaks(plan, x // 6, 1)) for x in (f, g)], [tile(f, (0, 0, 0)), tile(g, turn)], [[0], [1]])
+        if image is not None or micro.equal_walls():
+            return micro
+
+
 def honest(rng):
     """(name, model, certificate)"""
-    micro = coarse_and_fine(rng) if rng.random() < .1 else some_micro(rng)
+    r = rng.random()
+    micro = coarse_and_fine(rng) if r < .1 else turned_pair(rng).settled() if r < .2 else some_micro(rng)
     yield "micro", micro.text(), micro.certificate()
 
 
@@ -629,6 +655,9 @@ def turned_caps(rng):
     micro = examples.Micro(plan, grids, [tile], [[0] * ((len(b[0]) - 1) * (len(b[1]) - 1) * (len(b[2]) - 1)) for _, b in grids])
     meet = sum(isinstance(code, tuple) for code in plan.codes) + sum(len(of_grid) - 1 for of_grid in micro.cells)
     if micro.equal_walls() != meet:
+        yield "T4_turned", told(micro, "T4")
+    micro = turned_pair(rng, rng.choice(IMAGES))
+    if not micro.equal_walls():
         yield "T4_turned", told(micro, "T4")
 
 

@@ -21,6 +21,7 @@ import every_claim  # noqa: E402
 import fold_liars  # noqa: E402
 import invalid_liars  # noqa: E402
 import meeting_liars  # noqa: E402
+import micro_liars  # noqa: E402
 import patch_liars  # noqa: E402
 import points_liars  # noqa: E402
 import reversed_liars  # noqa: E402
@@ -65,6 +66,7 @@ LIARS = {
     "collar-1": of_patches(collar_liars.lies_about_a_collar),
     "collar-2": of_patches(collar_liars.lies_about_a_collar_2),
     "vmodel-1": of_patches(vmodel_liars.vmodel_attacks),
+    "microstructure-1": of_patches(micro_liars.micro_attacks),
     "vmodel-invalid-1": of_patches(vmodel_invalid_liars.invalid_cells_attacks),
 }
 

@@ -72,6 +72,11 @@ Status check_axis_breaks(const std::vector<Rational>& breaks, const VVolume::Axi
       return bad_argument(where + "break " + std::to_string(i + 1) + ", " +
                           breaks[i + 1].to_string() + ", is not above the one before it, " +
                           breaks[i].to_string());
+  for (std::size_t i = 0; i < breaks.size(); ++i)
+    if (std::max(breaks[i].numerator().bit_length(), breaks[i].denominator().bit_length()) >
+        kMaxBreakBits)
+      return over_micro_limit(where + "break " + std::to_string(i) + " has more than " +
+                              std::to_string(kMaxBreakBits) + " bits");
   for (const Rational* const end : {&breaks.front(), &breaks.back()})
     if (*end < axis.domain_begin() || *end > axis.domain_end())
       return bad_argument(where + "the break " + end->to_string() + " is not in the domain from " +

@@ -18,6 +18,7 @@
 namespace veritope {
 
 inline constexpr std::size_t kMaxMicroGrids = 4096;  ///< also the most volumes of a cage
+inline constexpr std::size_t kMaxBreakBits = 2048;   ///< of a numerator or denominator
 inline constexpr std::uint64_t kMaxMicroCells = std::uint64_t{1} << 27;
 
 /// Cells in a box of the parameters of a volume, and what they hold.

@@ -71,10 +71,10 @@ bool box_misses(const Member& s, const TilePoint& a, const TilePoint& m) {
   return false;
 }
 // The descent of F2.
-bool misses_segment(const Member& s, const TilePoint& a, const TilePoint& m) {
+bool misses_segment(const Member& s, const TilePoint& a, const TilePoint& m, std::size_t& visited) {
   std::vector<std::pair<Member, int>> stack = {{s, 0}};
-  for (std::size_t visited = 0; !stack.empty(); ++visited) {
-    if (visited == kMaxExitNodes) return false;
+  while (!stack.empty()) {
+    if (++visited > kMaxExitNodes) return false;
     const auto [node, level] = std::move(stack.back());
     stack.pop_back();
     if (box_misses(node, a, m)) continue;
@@ -144,8 +144,9 @@ class StarSearch {
   bool is_exit(std::uint32_t patch, const TilePoint& a) const {
     const auto m = middle_of_parallelogram(members_[patch]);
     if (!m.has_value() || !exit_axis(a, *m).has_value()) return false;
+    std::size_t visited = 0;
     for (std::uint32_t p = 0; p < members_.size(); ++p)
-      if (p != patch && !misses_segment(members_[p], a, *m)) return false;
+      if (p != patch && !misses_segment(members_[p], a, *m, visited)) return false;
     return true;
   }
 

@@ -33,8 +33,8 @@ struct AnalysedTile {
   std::uint32_t exit = 0;                   ///< the patch through which a ray from it leaves
 };
 
-/// How many steps the descent of F2 may take, and how often a patch may be halved.
-inline constexpr std::size_t kMaxExitNodes = 4096;
+/// How many steps the descents of F2 may take in all, and how often a patch may be halved.
+inline constexpr std::size_t kMaxExitNodes = 65536;
 inline constexpr int kMaxExitLevel = 40;
 
 /// @cost  polynomial in the degrees; linear in the patches, but for the search of a centre, which tries a few points

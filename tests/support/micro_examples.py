@@ -20,10 +20,11 @@ KEYS = ("cells", "tiles", "glued_caps", "components", "shells", "genus")
 # ---------------------------------------------------------------- tiles
 
 class Tile:
-    """vertices: {name: (wall or None, point, what t adds to it)}; quads: four names each, counterclockwise as seen from outside. A quad
+    """vertices: {name: (wall or None, point, what t adds to it)}, where t is the number of the wall driver[wall]; quads: four names each, counterclockwise as seen from outside. A quad
     is a bilinear patch, turned by turns[n] and written by `written`, if that is given."""
 
-    def __init__(self, vertices, quads, extent, centre=(HALF,) * 3, exit=0, name="tile"):
+    def __init__(self, vertices, quads, extent, centre=(HALF,) * 3, exit=0, name="tile", driver=range(6)):
+        self.driver = driver
         self.vertices, self.quads, self.extent, self.centre, self.exit, self.name = vertices, quads, extent, centre, exit, name
         self.patches = [self.patch(n) for n in range(len(quads))]
 
@@ -34,11 +35,11 @@ class Tile:
         assert len(walls) < 2
         order = (0, 3, 1, 2)
         lists = [[list(corners[c][1 + k]) for c in order] for k in range(2 if walls else 1)]
-        return (walls.pop() if walls else None), (1, 1), lists
+        return (self.driver[walls.pop()] if walls else None), (1, 1), lists
 
     def at(self, name, numbers):
         wall, point, more = self.vertices[name]
-        t = Q(numbers[wall], UNIT) if wall is not None and any(more) else 0
+        t = Q(numbers[self.driver[wall]], UNIT) if wall is not None and any(more) else 0
         return tuple(a + b * t for a, b in zip(point, more))
 
     def wall_of(self, name):
@@ -69,9 +70,10 @@ def pattern(kind, n):
             "row": [v for v in itertools.product(inner, repeat=2) if v[0] in near]}[kind]
 
 
-def lattice_tile(n, patterns, scale=(Q(9, 10), Q(1, 20)), extent=(0, UNIT), depth=None, centre=None, name="tile"):
-    """patterns: the vertices in each wall. Those are at 1/2 + (x / n - 1/2) (s + r t) with (s, r) = scale; the others are drawn to the
-    middle by the factor depth(vertex)."""
+def lattice_tile(n, patterns, scale=(Q(9, 10), Q(1, 20)), extent=(0, UNIT), depth=None, centre=None, name="tile", places=None, driver=range(6)):
+    """places: of the lattice along each axis, by default i / n. patterns: the vertices in each wall. Those are at 1/2 + (place - 1/2) (s + r t)
+    with (s, r) = scale; the others are drawn to the middle by the factor depth(vertex)."""
+    places = places or [[Q(i, n) for i in range(n + 1)]] * 3
     depth, (s, r) = depth or (lambda v: Q(4, 5)), scale
     in_wall = {}
     for wall, chosen in enumerate(patterns):
@@ -84,14 +86,14 @@ def lattice_tile(n, patterns, scale=(Q(9, 10), Q(1, 20)), extent=(0, UNIT), dept
     for v in itertools.product(range(n + 1), repeat=3):
         if not any(x in (0, n) for x in v):
             continue
-        off = [Q(x, n) - HALF for x in v]
+        off = [places[a][x] - HALF for a, x in enumerate(v)]
         wall = in_wall.get(v)
         if wall is None:
             factor = depth(v)
             vertices[v] = None, tuple(HALF + x * factor for x in off), (0, 0, 0)
         else:
             axis, moves = wall // 2, extent is not None
-            vertices[v] = (wall, tuple(Q(v[a], n) if a == axis else HALF + off[a] * s for a in range(3)),
+            vertices[v] = (wall, tuple(places[a][v[a]] if a == axis else HALF + off[a] * s for a in range(3)),
                            tuple(off[a] * r if a != axis and moves else Q(0) for a in range(3)))
     for wall in range(6):
         axis, end = wall // 2, wall % 2
@@ -105,8 +107,9 @@ def lattice_tile(n, patterns, scale=(Q(9, 10), Q(1, 20)), extent=(0, UNIT), dept
             quads.append(tuple(quad))
     if not r:
         extent = None
-    tile = Tile(vertices, quads, extent, name=name)
-    tile.centre, tile.exit = centre or tile.centre, exit_of(tile)
+    tile = Tile(vertices, quads, extent, name=name, driver=driver)
+    tile.centre = centre or tile.centre
+    tile.exit = exit_of(tile)
     return tile
 
 
@@ -232,7 +235,7 @@ class Micro:
         return [self.walls[grid][axis][n] for axis, n in (self.wall_index(grid, cell, w) for w in range(6))]
 
     def parameters(self, grid, cell, point):
-        """Of a point of the unit cube."""
+        """The parameters in the volume of a point of the unit cube."""
         breaks = self.grids[grid][1]
         return tuple(b[i] + (b[i + 1] - b[i]) * x for b, i, x in zip(breaks, self.index(grid, cell), point))
 
@@ -253,6 +256,17 @@ class Micro:
         return self.cage.codes[6 * self.grids[grid][0] + wall] if self.is_on_face(grid, cell, wall) else None
 
     # ------------------------------------------------------------ the truth
+
+    def equal_walls(self):
+        """The number of pairs of walls whose patches have the same corners in space."""
+        seen = []
+        for g, c in self.held():
+            tile, numbers = self.tiles[self.cells[g][c]], self.numbers(g, c)
+            for wall in range(6):
+                quads = [frozenset(self.in_space(g, c, tile.at(name, numbers)) for name in tile.quads[n]) for n in tile.caps(wall)]
+                if quads:
+                    seen.append(frozenset(quads))
+        return len(seen) - len(set(seen))
 
     def settled(self):
         """With the true numbers."""

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verify/certify/micro_certifier.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,8 @@ namespace veritope {
 namespace {
 
 constexpr std::size_t kMaxCaps = 64;  // of a tile; a limit of this program
+// B2 of the page.
+constexpr std::uint64_t kMaxPatchBits = 4096, kMaxFamilySize = 1 << 18, kMaxFamilyWork = 1 << 27;
 
 class MicroCertification {
  public:
@@ -32,6 +35,7 @@ class MicroCertification {
     internal::enter(Phase::kDeciding, options_);
     for (std::size_t k = 0; k < micro_.tiles.size(); ++k)
       if (auto reason = analyse(k)) return undecided(std::move(*reason));
+    if (auto reason = long_numbers()) return undecided(std::move(*reason));
     if (auto reason = certify_cage()) return undecided(std::move(*reason));
     Result<VModel> cage = make_v_model(micro_.cage, VOrientation::kAuto);
     VT_CHECK(cage.has_value(), "the cage was certified");
@@ -68,6 +72,34 @@ class MicroCertification {
                         std::to_string(kMaxCaps) + " are supported",
                     "not-covered");
     return std::nullopt;
+  }
+
+  // B2
+  std::optional<Finding> long_numbers() const {
+    std::uint64_t all = 0, work = 0;
+    for (const AnalysedTile& tile : tiles_)
+      for (const TilePatch& patch : tile.tile.patches) {
+        const auto c = 9 * static_cast<std::uint64_t>(patch.degrees[0] * patch.degrees[1]) *
+                       (3 * patch.points.size() - 2);
+        const std::uint64_t bits = bits_of(patch);
+        all += c;
+        work += c * bits;
+        if (bits > kMaxPatchBits || all > kMaxFamilySize || work > kMaxFamilyWork)
+          return reason("the tiles have too many or too long numbers", "not-covered");
+      }
+    return std::nullopt;
+  }
+  static std::uint64_t bits_of(const TilePatch& patch) {
+    Integer common(1);
+    for (const auto& list : patch.points)
+      for (const TilePoint& p : list)
+        for (const Rational& x : p) common = lcm(common, x.denominator());
+    std::uint64_t bits = common.bit_length();
+    for (const auto& list : patch.points)
+      for (const TilePoint& p : list)
+        for (const Rational& x : p)
+          bits = std::max<std::uint64_t>(bits, (x * Rational(common)).numerator().bit_length());
+    return bits;
   }
 
   std::optional<Finding> certify_cage() {

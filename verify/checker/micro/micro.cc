@@ -7,8 +7,8 @@
 
 namespace {
 
-// The limits of this checker: of the bits of a patch's numbers, as integers with a common denominator, and of these
-// bits times coefficients of G, over all patches. The page has no such limit.
+// B2: limits of the bits of a patch's numbers, as integers with a common denominator, and of these bits times
+// coefficients of G, over all patches.
 const int64_t kMostPatchBits = 4096;
 const uint64_t kMostCoefficients = 1 << 18, kMostBitsOfG = 1 << 27;
 

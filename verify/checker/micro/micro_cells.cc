@@ -7,11 +7,11 @@
 
 namespace {
 
-// Limits of this checker: of the pieces and caps of all cells; of the answers that it keeps; of the
-// pairs of intervals that overlap; of the coefficients of caps that it compares.
+// Limits of this checker: of the pieces and caps of all cells; of the answers that it keeps. T4: a limit of the
+// coefficients of caps that it compares.
 const uint64_t kFreeNodes = 1 << 26, kNodesOfCell = 32;
 const size_t kMostAnswers = 1 << 16;
-const uint64_t kMostOverlaps = 1 << 27, kMostWorkOfCaps = 1 << 30;
+const uint64_t kMostWorkOfCaps = 1 << 30;
 const uint32_t kTaken = 0xffffffff;  // the parent of a cap that is equal to another one
 
 struct Overlap {  // of an interval of one grid and one of another
@@ -185,10 +185,10 @@ class Meetings {
                                      brought(b, axes[1][k], is_reversed), is_reversed)
                           : overlaps(a.breaks[axes[0][k]], b.breaks[axes[1][k]], false);
     }
-    require(pairs[0].empty() || pairs[1].size() <= kMostOverlaps / pairs[0].size(), "T4",
-            "this checker has a limit of walls that meet");
+    require(pairs[0].empty() || pairs[1].size() <= kMostWallPairs / pairs[0].size(), "T4",
+            "too many pairs of walls meet");
     overlaps_ += pairs[0].size() * pairs[1].size();
-    require(overlaps_ <= kMostOverlaps, "T4", "this checker has a limit of walls that meet");
+    require(overlaps_ <= kMostWallPairs, "T4", "too many pairs of walls meet");
     size_t i[3], j[3];
     i[wall_a / 2] = wall_a % 2 * (a.n[wall_a / 2] - 1);
     j[wall_b / 2] = wall_b % 2 * (b.n[wall_b / 2] - 1);
@@ -197,7 +197,6 @@ class Meetings {
         i[axes[0][0]] = x.i[0], i[axes[0][1]] = y.i[0];
         j[axes[1][0]] = x.i[1], j[axes[1][1]] = y.i[1];
         if (a.tile[a.cell(i)] == 0 || b.tile[b.cell(j)] == 0) continue;
-        require(++wall_pairs_ <= kMostWallPairs, "T4", "too many pairs of walls meet");
         meet(a, i, wall_a, b, j, wall_b, symmetry, x.place, y.place);
       }
   }
@@ -223,7 +222,7 @@ class Meetings {
   std::vector<uint32_t> first_node_;  // of each cell: those of its pieces, then those of its caps
   std::unique_ptr<Classes> nodes_;
   MicroNumbers out_;
-  uint64_t work_ = 0, wall_pairs_ = 0, overlaps_ = 0;
+  uint64_t work_ = 0, overlaps_ = 0;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 namespace {
 
-const int kMostNodes = 4096, kMostLevel = 40;
+const int kMostNodes = 1 << 16, kMostLevel = 40;
 
 int64_t choose(int n, int k) {
   int64_t r = 1;
@@ -155,10 +155,11 @@ void halve_patch(const MicroPatch& s, bool along_v, MicroPatch* lower, MicroPatc
       }
     }
 }
-void check_missed(const MicroPatch& still, const Ratio* lo, const Ratio* hi, uint64_t number) {
+void check_missed(const MicroPatch& still, const Ratio* lo, const Ratio* hi, uint64_t number,
+                  int* visited) {
   std::vector<StillNode> nodes(1, StillNode{still, 0});
-  for (int visited = 1; !nodes.empty(); ++visited) {
-    require(visited <= kMostNodes, "F2", "the descent takes too many nodes, in patch", number);
+  while (!nodes.empty()) {
+    require(++*visited <= kMostNodes, "F2", "the descents take too many nodes, in patch", number);
     const StillNode node = std::move(nodes.back());
     nodes.pop_back();
     if (misses_box(node.s, lo, hi)) continue;
@@ -192,8 +193,9 @@ void check_winding(const MicroTile& tile) {  // F2
   require(different == 1, "F2", "the exit's middle and a differ in coordinates:", different);
   require(lo[axis].n.sign() == 0 || (hi[axis].n.is_one() && hi[axis].d.is_one()), "F2",
           "the exit's middle is not in a wall of the cube: patch", tile.exit);
+  int visited = 0;
   for (uint64_t s = 0; s < tile.patches.size(); ++s)
-    if (s != tile.exit) check_missed(at_number(tile.patches[s], tile.lo), lo, hi, s);
+    if (s != tile.exit) check_missed(at_number(tile.patches[s], tile.lo), lo, hi, s, &visited);
 }
 
 }  // namespace

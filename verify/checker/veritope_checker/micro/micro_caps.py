@@ -3,6 +3,7 @@
 from fractions import Fraction
 
 from ..common.errors import Reject
+from ..patches.model_powers import scaled
 from ..vmodel.vmodel_pieces import OTHERS
 from .micro_polynomials import at_number, curve_key, in_bernstein, map_key, of_lists
 
@@ -18,13 +19,15 @@ class Shape:
         inside, keys, points, self.rim = set(patches), [], [], {}
         for n in patches:
             patch = tile.patches[n]
-            lists = lists_of(patch)
-            points += [point for of_t in in_bernstein(lists, extent) for point in of_t]
-            keys.append(map_key(OWN, lists, patch.degrees))
+            lists, common = lists_of(patch)
+            coefficients, factor = in_bernstein(lists, extent)
+            points += [[Fraction(c, common * factor) for c in point] for of_t in coefficients for point in of_t]
+            keys.append(map_key(OWN, lists, common, patch.degrees))
             for s, other in enumerate(patch.sides):
                 if other and other[0] not in inside:
                     curve = [[p[m] for m in patch.along(s)] for p in lists]
-                    self.rim[min(curve_key(OWN, curve), curve_key(OWN, [p[::-1] for p in curve]))] = other[0]
+                    back = [points[::-1] for points in curve]
+                    self.rim[min(curve_key(OWN, curve, common), curve_key(OWN, back, common))] = other[0]
         self.number, self.keys, self.chi = number, sorted(keys), tile.chi(patches)
         self.low, self.high = [[f(column) for column in zip(*points)] for f in (min, max)]
 
@@ -36,7 +39,8 @@ class Match:
     in the cap's border)."""
 
     def __init__(self, pairs):
-        self.pairs = [(a.number, b.number, sorted({(a.rim[c], b.rim[c]) for c in a.rim if c in b.rim})) for a, b in pairs]
+        self.pairs = [(a.number, b.number, sorted({(a.rim[c], b.rim[c]) for c in a.rim if c in b.rim}))
+                      for a, b in pairs]
         self.masks = [sum(1 << pair[k] for pair in self.pairs) for k in (0, 1)]
         self.chi = sum(a.chi for a, _ in pairs)
         self.key = "%s %d" % (self.pairs, self.chi)
@@ -117,19 +121,22 @@ class Caps:
 
             def lists_of(patch):
                 depends, lists = of_lists(patch.wall, patch.lists)
+                common = patch.unit
                 if numbers is not None:
-                    lists = [at_number(lists, known.get(depends, 0))]
-                return self.placed([[[p[axis] for axis in OTHERS[wall // 2]] for p in points] for points in lists], place)
+                    points, factor = at_number(lists, known.get(depends, 0))
+                    lists, common = [points], common * factor
+                return self.placed([[[p[axis] for axis in OTHERS[wall // 2]] for p in points] for points in lists],
+                                   common, place)
             self.shapes[key] = [Shape(of, n, lists_of, of.extent) for n in self.of_wall[tile][wall]]
         return self.shapes[key]
 
-    def placed(self, lists, place):
-        """Points of a wall in the parameters of another one."""
-        exchanged, (f, a), (g, b) = place[0], self.places[place[1]], self.places[place[2]]
-        order = (1, 0) if exchanged else (0, 1)
-        found = [[[f * p[order[0]], g * p[order[1]]] for p in points] for points in lists]
-        found[0] = [[x + a, y + b] for x, y in found[0]]
-        return found
+    def placed(self, lists, common, place):
+        """(points of a wall in the parameters of another one, common denominator)"""
+        (f, a, g, b), factor = scaled([*self.places[place[1]], *self.places[place[2]]])
+        first, second = (1, 0) if place[0] else (0, 1)
+        found = [[[f * p[first], g * p[second]] for p in points] for points in lists]
+        found[0] = [[x + a * common, y + b * common] for x, y in found[0]]
+        return found, common * factor
 
 def depends_on(patch):
     return of_lists(patch.wall, patch.lists)[0]

@@ -5,6 +5,8 @@ Written from docs/certificates/microstructure.md and docs/formats/micro-files.md
 """
 from collections import Counter
 from fractions import Fraction
+from math import lcm
+from operator import mul
 
 from ..common.errors import Reject
 from ..patches.star_box_patches import Groups
@@ -16,10 +18,17 @@ from .micro_tile import Tile
 from .micro_walls import Meetings, lies_in_face, test_cells
 
 MAGIC, MAX_COEFFICIENTS, MAX_BITS = b"VTMS", 1 << 18, 64
+MAX_PATCH_BITS, MAX_WORK = 4096, 1 << 27
 
 def check(claim, statement, body, model, skip):
     """skip: conditions that are not tested, for tests only."""
     Checker(statement, Body(body), Microstructure(model), skip).run()
+
+def bits_of(lists):
+    """The bits of the longest of the numbers as integers with a common denominator, and of that."""
+    numbers = [c for points in lists for point in points for c in point]
+    common = lcm(*[c.denominator for c in numbers])
+    return max([common, *[abs(c.numerator) * (common // c.denominator) for c in numbers]]).bit_length()
 
 class Checker:
     """The conditions in the order of the page."""
@@ -38,25 +47,37 @@ class Checker:
             raise Reject(condition, why)
 
     def run(self):
+        for key, value in self.numbers().items():
+            if self.statement[key] != value:
+                self.fail("W3", "%s are %s, the statement says %d" % (key, value, self.statement[key]))
+
+    def numbers(self):
+        """Tests all conditions but W3; returns the numbers of section 7."""
         self.test_b2()
         tiles = [Tile(*tile, *hint, self.skip) for tile, hint in zip(self.model.tiles, self.hints)]
-        cage = vmodel_check.Checker(self.statement, self.of_cage, self.model.cage, self.skip)
-        cage.numbers()
+        grids, codes = self.model.grids, self.codes_of_cage()
         for tile in tiles:
             tile.test()
-        grids, codes = self.model.grids, cage.cert.codes
         test_cells(grids, tiles, lambda grid, wall: codes[6 * grid.volume + wall] == 1
                    and lies_in_face(grid, wall, self.model.cage), self.skip)
         meetings = Meetings(grids, Caps(tiles, self.skip))
         meetings.find(self.model.cage, codes)
-        for key, value in numbers(tiles, grids, meetings).items():
-            if self.statement[key] != value:
-                self.fail("W3", "%s are %s, the statement says %d" % (key, value, self.statement[key]))
+        return count(tiles, grids, meetings)
+
+    def codes_of_cage(self):
+        """The codes of the faces of the cage's volumes, if the conditions of vmodel-1 hold but for W3."""
+        cage = vmodel_check.Checker(self.statement, self.of_cage, self.model.cage, self.skip)
+        cage.numbers()
+        return cage.cert.codes
 
     def test_b2(self):
-        if sum(9 * p * q * (3 * len(patch.lists) - 2) for _, patches in self.model.tiles for patch in patches
-               for p, q in [patch.degrees]) > MAX_COEFFICIENTS:
+        patches = [patch for _, of_tile in self.model.tiles for patch in of_tile]
+        sizes = [9 * patch.degrees[0] * patch.degrees[1] * (3 * len(patch.lists) - 2) for patch in patches]
+        if sum(sizes) > MAX_COEFFICIENTS:
             self.fail("B2", "the tiles have more than %d coefficients" % MAX_COEFFICIENTS)
+        bits = [bits_of(patch.lists) for patch in patches]
+        if max(bits) > MAX_PATCH_BITS or sum(map(mul, sizes, bits)) > MAX_WORK:
+            self.fail("B2", "the numbers of the tiles are too long")
         for centre, _ in self.hints:
             if any(not 0 < c < 1 or c.denominator >> MAX_BITS for c in centre):
                 self.fail("B2", "a centre is not inside the cube, or too long")
@@ -64,7 +85,7 @@ class Checker:
 
 # ---------------------------------------------------------------- section 7
 
-def numbers(tiles, grids, meetings):
+def count(tiles, grids, meetings):
     cells = b"".join(grid.cells for grid in grids)
     held, used = len(cells) - cells.count(0), Counter(meetings.kinds)
     chi = sum(Fraction(tile.chi(), 2) * cells.count(n + 1) for n, tile in enumerate(tiles))
@@ -76,9 +97,11 @@ def numbers(tiles, grids, meetings):
         masks[b] |= other
         classes.unite(a, b)
     components = held - joined(classes)
-    pieces = {key: tiles[key[0] - 1].pieces(key[1]) for key in set(zip(cells, masks)) if key[0]}
+    masks = list(map(hex, masks))                           # a text has a keyed hash
+    pieces = {key: tiles[key[0] - 1].pieces(int(key[1], 16)) for key in set(zip(cells, masks)) if key[0]}
     # Each pair of equal caps joins one piece of its cells to one, if cells have no more than one.
-    shells = components if all(count == 1 for _, count in pieces.values()) else num_shells(meetings, cells, masks, pieces)
+    is_one = all(count == 1 for _, count in pieces.values())
+    shells = components if is_one else num_shells(meetings, cells, masks, pieces)
     return {"cells": len(cells), "tiles": held, "components": components, "shells": shells, "genus": shells - chi,
             "glued_caps": sum(len(meetings.matches[kind].pairs) * count for kind, count in used.items())}
 

@@ -1,36 +1,42 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Polynomials of the patches of tiles (docs/certificates/microstructure.md, sections 3 to 6): Bernstein forms in u, v and
-the number t of a wall, forms in powers, and G."""
+"""Polynomials of the patches of tiles (docs/certificates/microstructure.md, sections 3 to 6): Bernstein forms in u, v
+and the number t of a wall, forms in powers, and G."""
 from fractions import Fraction
-from math import comb
+from functools import lru_cache
+from math import comb, gcd, lcm
+from operator import mul
 
-from ..common.errors import Reject
 from ..patches.model_powers import scaled
 from ..patches.star_box_patches import transposed
 from ..vmodel.vmodel_glue import moved
 from ..vmodel.vmodel_sign import Packing, difference
 
 UNIT = 1 << 20                                              # a wall with the number k has t = k / UNIT
-MAX_SIZE = 1 << 20                                          # bits of the coefficients of one G
 
+@lru_cache(1000)
 def matrix_in_t(r, extent):
-    """Row i: the factors of the r lists of a patch in its Bernstein coefficients with the index i in t."""
+    """(rows, common denominator): row i has the factors of the r lists of a patch in its Bernstein coefficients with
+    the index i in t, times the denominator."""
     lo, hi = [Fraction(k, UNIT) for k in extent or (0, 0)]
     if lo == hi:
-        return [[lo ** m for m in range(r)]]
-    n = r - 1
-    shifted = [[(hi - lo) ** k * comb(m, k) * lo ** (m - k) if m >= k else 0 for m in range(r)] for k in range(r)]
-    return [[sum(Fraction(comb(i, k), comb(n, k)) * shifted[k][m] for k in range(i + 1)) for m in range(r)]
-            for i in range(r)]
+        rows = [[lo ** m for m in range(r)]]
+    else:
+        shifted = [[(hi - lo) ** k * comb(m, k) * lo ** (m - k) if m >= k else 0 for m in range(r)] for k in range(r)]
+        rows = [[sum(Fraction(comb(i, k), comb(r - 1, k)) * shifted[k][m] for k in range(i + 1)) for m in range(r)]
+                for i in range(r)]
+    common = lcm(*[c.denominator for row in rows for c in row])
+    return [[int(c * common) for c in row] for row in rows], common
 
 def in_bernstein(lists, extent):
-    """The points of the lists, which are factors of powers of t, as Bernstein coefficients over the range."""
-    return [[[sum(f * points[n][c] for f, points in zip(factors, lists) if f) for c in range(len(lists[0][0]))]
-             for n in range(len(lists[0]))] for factors in matrix_in_t(len(lists), extent)]
+    """(Bernstein coefficients over the range, common denominator), of points of integers that are factors of powers of
+    t."""
+    rows, common = matrix_in_t(len(lists), extent)
+    return [[[sum(map(mul, row, values)) for values in zip(*points)] for points in zip(*lists)] for row in rows], common
 
 def at_number(lists, number):
-    """The points for one number of the wall."""
-    return in_bernstein(lists, (number, number))[0]
+    """(the points for one number of the wall, common denominator)"""
+    found, common = in_bernstein(lists, (number, number))
+    return found[0], common
 
 def in_powers(vectors):
     """Bernstein coefficients become those of powers; the last ones are dropped while they are 0."""
@@ -42,9 +48,10 @@ def in_powers(vectors):
         powers.pop()
     return powers
 
-def text_of(vectors):
+def text_of(vectors, common):
     """A text has a keyed hash: no file can make many that have one hash."""
-    return ";".join(",".join("%x/%x" % (c.numerator, c.denominator) for c in vector) for vector in vectors)
+    return ";".join(",".join("%x/%x" % (c // g, common // g) for c in vector for g in (gcd(c, common),))
+                    for vector in vectors)
 
 def of_lists(wall, lists):
     """(the wall on whose number the lists depend, or None; the lists without the last ones that are 0)"""
@@ -52,25 +59,25 @@ def of_lists(wall, lists):
         lists = lists[:-1]
     return (wall if len(lists) > 1 else None), lists
 
-def curve_key(wall, lists):
-    """A text that is equal for curves that are one polynomial map of their parameter and of all numbers."""
+def curve_key(wall, lists, common):
+    """A text that is equal for curves that are one polynomial map of their parameter and of all numbers. The points of
+    the lists are integers, which the common denominator divides."""
     wall, lists = of_lists(wall, lists)
-    return "%s|%s" % (wall, text_of(in_powers([sum(points, []) for points in map(list, zip(*lists))])))
+    return "%s|%s" % (wall, text_of(in_powers([sum(points, []) for points in map(list, zip(*lists))]), common))
 
-def map_key(wall, lists, degrees):
+def map_key(wall, lists, common, degrees):
     """A text that is equal for maps of the square that are equal after one of its symmetries."""
     wall, lists = of_lists(wall, lists)
     vectors = [sum(points, []) for points in map(list, zip(*lists))]
-    q = degrees[1] + 1
-    rows = [vectors[i:i + q] for i in range(0, len(vectors), q)]
-    return "%s|%s" % (wall, min(grid_text(moved(rows, symmetry)) for symmetry in range(8)))
+    rows = split(vectors, degrees[1] + 1)
+    return "%s|%s" % (wall, min(grid_text(moved(rows, symmetry), common) for symmetry in range(8)))
 
-def grid_text(rows):
+def grid_text(rows, common):
     """The map's coefficients of powers, without the last rows and columns that are 0."""
     width = len(rows[0][0])
     columns = in_powers([sum(column, []) for column in transposed(rows)])
-    rows = transposed([[column[i:i + width] for i in range(0, len(column), width)] for column in columns])
-    return "!".join(map(text_of, [split(row, width) for row in in_powers([sum(row, []) for row in rows])]))
+    rows = in_powers([sum(row, []) for row in transposed([split(column, width) for column in columns])])
+    return "!".join(text_of(split(row, width), common) for row in rows)
 
 def split(row, width):
     return [row[i:i + width] for i in range(0, len(row), width)]
@@ -79,23 +86,24 @@ def split(row, width):
 # ---------------------------------------------------------------- G
 
 class Winding:
-    """G of a patch with these Bernstein coefficients, with the centre a."""
+    """G of a patch with these Bernstein coefficients over a common denominator, and the centre a."""
 
-    def __init__(self, coefficients, degrees, centre):
+    def __init__(self, coefficients, common, degrees, centre):
         self.sizes = [degrees[0] + 1, degrees[1] + 1, len(coefficients)]
         self.of_g = [3 * degrees[0], 3 * degrees[1], 3 * len(coefficients) - 2]
-        values, _ = scaled([of_t[n][c] - centre[c] for c in range(3) for n in range(len(coefficients[0]))
-                            for of_t in coefficients])
-        count = len(values) // 3
-        self.values = [values[c * count:(c + 1) * count] for c in range(3)]
+        (x, y, z), factor = scaled(centre)
+        values = [factor * of_t[n][c] - common * shift for c, shift in enumerate((x, y, z))
+                  for n in range(len(coefficients[0])) for of_t in coefficients]
+        factor, count = gcd(*values) or 1, len(values) // 3
+        values = [v // factor for v in values]
+        self.values = split(values, count)
         self.bits = max(abs(v).bit_length() for v in values)
-        if self.of_g[0] * self.of_g[1] * self.of_g[2] * self.bits > MAX_SIZE:
-            raise Reject("B2", "the coefficients of a patch are too long for its degrees")
 
     def coefficients(self):
         """{index: the coefficient of the index in u, v, t, times a factor > 0}"""
         packing = Packing(self.of_g, 3 * (self.bits + sum(self.sizes)) + 6)
-        (a, b, c), (d, e, f) = [[packing.packed(*difference(v, axis, self.sizes)) for v in self.values] for axis in (0, 1)]
+        (a, b, c), (d, e, f) = [[packing.packed(*difference(v, axis, self.sizes)) for v in self.values]
+                                for axis in (0, 1)]
         g, h, i = [packing.packed(v, self.sizes) for v in self.values]
         found = iter(packing.unpacked(a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g)))
         l, m, n = self.of_g

@@ -13,7 +13,7 @@ from ..patches.star_box_read import members, number, read_json, texts, typed, wh
 
 KEYS = ("format", "model", "cage", "grids", "tiles", "cells", "walls")
 MAX_VOLUMES, MAX_GRIDS, MAX_TILES, MAX_PATCHES, MAX_LISTS = 4096, 4096, 15, 1024, 4
-MAX_DEGREE, MAX_CELLS, MAX_NUMBER, MAX_BITS = 7, 1 << 27, 1 << 20, 128
+MAX_DEGREE, MAX_CELLS, MAX_NUMBER, MAX_BITS, MAX_BREAK_BITS = 7, 1 << 27, 1 << 20, 128, 2048
 
 class Grid:
     """volume: its number; breaks: of the three axes; counts: of intervals; cells: a byte each, 0 or 1 + its tile;
@@ -84,11 +84,14 @@ def check_model(model):
 
 def read_grid(grid, cage):
     volume, breaks = members(grid, "volume", "breaks")
-    volume, breaks = whole(volume, 0, len(cage) - 1), [[number(t) for t in typed(b, list)] for b in a_list(breaks, 3, 3)]
+    whole(volume, 0, len(cage) - 1)
+    breaks = [[number(t) for t in typed(b, list)] for b in a_list(breaks, 3, 3)]
     for axis, b in enumerate(breaks):
         knots = cage[volume].knots[axis]
         if len(b) < 2 or any(s >= t for s, t in zip(b, b[1:])) or b[0] < knots[0] or b[-1] > knots[-1]:
             raise Refused("breaks do not rise, or leave the domain")
+        if any(max(abs(t.numerator), t.denominator) >> MAX_BREAK_BITS for t in b):
+            raise Refused("a break has a part of more than %d bits" % MAX_BREAK_BITS)
         inner = [t for n, t in enumerate(knots) if b[0] < t < b[-1] and t != knots[n - 1]]
         places = iter(b)
         if not all(t in places for t in inner):             # both rise
@@ -163,7 +166,8 @@ def read_walls(grid, lists):
     for axis, values in enumerate(a_list(lists, 3, 3)):
         step, n = grid.stride(axis), grid.counts[axis]
         count = grid.num_cells // n * (n + 1)
-        if not set(map(type, a_list(values, count, count))) <= {int} or not 0 <= min(values) <= max(values) <= MAX_NUMBER:
+        kinds = set(map(type, a_list(values, count, count)))
+        if kinds != {int} or not 0 <= min(values) <= max(values) <= MAX_NUMBER:
             raise Refused("a number of a wall is no integer from 0 to %d" % MAX_NUMBER)
         for cell, wall in grid.blocks(axis):
             held, none = grid.cells[cell:cell + n * step], bytes(step)

@@ -1,22 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """The surface of a tile (docs/certificates/microstructure.md, sections 3 to 5): S0, F1, F2, T2 and T3."""
 from collections import Counter
+from fractions import Fraction
 from math import lcm
 
 from ..common.errors import Reject
 from ..patches.star_box_patches import Groups, half_of_tensor
 from .micro_polynomials import Winding, at_number, curve_key, in_bernstein
 
-MAX_VISITED, MAX_LEVEL = 4096, 40
+MAX_VISITED, MAX_LEVEL = 1 << 16, 40
 
 class Patch:
-    """coefficients: lists of points, one for each index in t.  sides[s]: None if it is collapsed, else (patch, side) of
-    the one that it is paired with, or () if there is none."""
+    """lists: in integers, over `unit`; coefficients: lists of points, one for each index in t, over `common`.
+    sides[s]: None if it is collapsed, else (patch, side) of the one that it is paired with, or () without a partner."""
 
     def __init__(self, patch, extent, centre):
-        self.wall, self.degrees, self.lists = patch.wall, patch.degrees, patch.lists
-        self.coefficients = in_bernstein(self.lists, extent)
-        self.winding = Winding(self.coefficients, self.degrees, centre)
+        self.wall, self.degrees = patch.wall, patch.degrees
+        self.unit = lcm(*[c.denominator for points in patch.lists for point in points for c in point])
+        self.lists = [[[c.numerator * (self.unit // c.denominator) for c in point] for point in points]
+                      for points in patch.lists]
+        self.coefficients, common = in_bernstein(self.lists, extent)
+        self.common = self.unit * common
+        self.winding = Winding(self.coefficients, self.common, self.degrees, centre)
         self.sides = [None if self.is_collapsed(s) else () for s in range(4)]
         p, q = self.degrees
         self.corners = [0, p * (q + 1), p * (q + 1) + q, q]
@@ -31,13 +36,21 @@ class Patch:
         """The side's lists."""
         return [[points[n] for n in self.along(side)[::-1 if reverse else 1]] for points in self.lists]
 
+    def key(self, side, reverse=False):
+        return curve_key(self.wall, self.curve(side, reverse), self.unit)
+
+    def at_number(self, number):
+        """The points for one number of its wall."""
+        points, common = at_number(self.lists, number)
+        return [[Fraction(c, common * self.unit) for c in point] for point in points]
+
     def is_collapsed(self, side):
         return all(point == points[0] for points in self.curve(side) for point in points)
 
     def height(self, wall):
-        """h over the wall: lists of numbers, one for each index in t."""
+        """h over the wall times `common`: lists of numbers, one for each index in t."""
         axis, end = wall // 2, wall % 2
-        return [[1 - point[axis] if end else point[axis] for point in points] for points in self.coefficients]
+        return [[self.common - point[axis] if end else point[axis] for point in points] for points in self.coefficients]
 
 class Tile:
     """vertex: the class of corner c of patch n at 4 n + c.  edges: pairs of sides (patch, side), the second one () if a
@@ -48,8 +61,9 @@ class Tile:
         self.extent, self.centre, self.exit, self.skip = extent, centre, exit, skip
         self.patches = [Patch(patch, extent, centre) for patch in patches]
 
-    def fail(self, condition, why):
-        if condition not in self.skip:
+    def fail(self, condition, why, part=None):
+        """part: a name for a part of the condition."""
+        if condition not in self.skip and part not in self.skip:
             raise Reject(condition, why)
 
     def test(self):
@@ -74,8 +88,8 @@ class Tile:
         for n, patch in enumerate(self.patches):
             for s in range(4):
                 if patch.sides[s] is not None:
-                    places.setdefault(curve_key(patch.wall, patch.curve(s)), []).append((n, s))
-                    opposite[n, s] = curve_key(patch.wall, patch.curve(s, True))
+                    places.setdefault(patch.key(s), []).append((n, s))
+                    opposite[n, s] = patch.key(s, True)
         self.edges = []
         for key, sides in places.items():
             back = opposite[sides[0]]
@@ -120,15 +134,16 @@ class Tile:
 
     def test_f2(self):
         lo, patch = (self.extent or (0, 0))[0], self.patches[self.exit]
-        points = at_number(patch.lists, lo)
+        points = patch.at_number(lo)
         middle = [sum(column) / 4 for column in zip(*points)]
         apart = [axis for axis in range(3) if middle[axis] != self.centre[axis]]
         if patch.degrees != (1, 1) or any(a - b - c + d for a, b, c, d in zip(*points)):
             self.fail("F2", "patch %d is no parallelogram" % self.exit)
         if len(apart) != 1 or middle[apart[0]] not in (0, 1):
             self.fail("F2", "the middle of patch %d is not on the cube, or not across from the centre" % self.exit)
+        visited = [0]
         for n, other in enumerate(self.patches):
-            if n != self.exit and not is_missed(at_number(other.lists, lo), other.degrees, self.centre, middle):
+            if n != self.exit and not is_missed(other.at_number(lo), other.degrees, self.centre, middle, visited):
                 self.fail("F2", "patch %d may meet the segment from the centre" % n)
 
     # ------------------------------------------------------------ section 5
@@ -153,18 +168,18 @@ class Tile:
         if n in self.in_wall[wall]:
             for other in range(6):
                 if other // 2 != wall // 2 and min(map(min, patch.height(other))) <= 0:
-                    self.fail("T2", "patch %d in wall %d reaches wall %d" % (n, wall, other))
+                    self.fail("T2", "patch %d in wall %d reaches wall %d" % (n, wall, other), "T2 cap")
             return
         for h in heights:
             if min(h) < 0 or max(h) <= 0:
-                self.fail("T2", "patch %d leaves the cube through wall %d, or lies in it" % (n, wall))
+                self.fail("T2", "patch %d leaves the cube through wall %d, or lies in it" % (n, wall), "T2 body")
             for s, other in enumerate(patch.sides):
                 if other is not None and not (other and other[0] in self.in_wall[wall]):
                     if max(h[m] for m in patch.along(s)) <= 0:
-                        self.fail("T2", "side %d of patch %d may lie in wall %d" % (s, n, wall))
+                        self.fail("T2", "side %d of patch %d may lie in wall %d" % (s, n, wall), "T2 side")
             for c, m in enumerate(patch.corners):
                 if self.vertex[4 * n + c] not in vertices and h[m] <= 0:
-                    self.fail("T2", "corner %d of patch %d may lie in wall %d" % (c, n, wall))
+                    self.fail("T2", "corner %d of patch %d may lie in wall %d" % (c, n, wall), "T2 corner")
 
     def test_t3(self, wall):
         ends, inside = Counter(), self.in_wall[wall]
@@ -193,17 +208,17 @@ class Tile:
                 groups.unite(one[0], other[0])
         return {n: numbers.setdefault(groups.find(n), len(numbers)) for n in sorted(kept)}, len(numbers)
 
-def is_missed(points, degrees, start, end):
-    """Does the descent of F2 end? The segment is parallel to an axis, or F2 has failed."""
+def is_missed(points, degrees, start, end, visited):
+    """Does the descent of F2 end? The segment is parallel to an axis, or F2 has failed. visited: [nodes of the tile]"""
     common = lcm(*[c.denominator for p in [*points, start, end] for c in p])
     width = degrees[1] + 1
     rows = [[[int(p[c] * common) for p in points[i:i + width]] for i in range(0, len(points), width)] for c in range(3)]
     low, high = [[int(f(pair) * common) for pair in zip(start, end)] for f in (min, max)]
-    nodes, visited = [(rows, 0, 0)], 0
+    nodes = [(rows, 0, 0)]
     while nodes:
         arrays, shift, level = nodes.pop()
-        visited += 1
-        if visited > MAX_VISITED:
+        visited[0] += 1
+        if visited[0] > MAX_VISITED:
             return False
         if any(min(map(min, a)) > h << shift or max(map(max, a)) < l << shift for a, l, h in zip(arrays, low, high)):
             continue

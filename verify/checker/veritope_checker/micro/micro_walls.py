@@ -4,6 +4,7 @@ from array import array
 from bisect import bisect_right
 from functools import lru_cache
 from itertools import compress
+from math import prod
 
 from ..common.errors import Reject
 from ..vmodel.vmodel_glue import parts
@@ -59,8 +60,8 @@ def border(grid, wall):
 # ---------------------------------------------------------------- walls that meet
 
 class Meetings:
-    """The pairs of cells that have equal caps.  first, second: cells, counted over all grids; matches[kinds[n]]: of pair
-    n."""
+    """The pairs of cells that have equal caps.  first, second: cells, counted over all grids; matches[kinds[n]]: what
+    pair n has in common."""
 
     def __init__(self, grids, caps):
         self.grids, self.caps, self.count = grids, caps, 0
@@ -78,7 +79,8 @@ class Meetings:
         for n, wall in sheets:
             grid = self.grids[n]
             t = grid.breaks[wall // 2][-(wall % 2)]
-            planes.setdefault((grid.volume, wall // 2, "%x/%x" % (t.numerator, t.denominator)), ([], []))[wall % 2].append(n)
+            plane = grid.volume, wall // 2, "%x/%x" % (t.numerator, t.denominator)
+            planes.setdefault(plane, ([], []))[wall % 2].append(n)
             if lies_in_face(grid, wall, volumes):
                 faces.setdefault(6 * grid.volume + wall, []).append(n)
         for (_, axis, _), (begin, end) in planes.items():
@@ -121,7 +123,8 @@ class Meetings:
                     families[pair] = self.caps.family(pair[0] - 1, 2 * axis + 1, pair[1] - 1, 2 * axis, UNPLACED)
                 match = families[pair]
                 if match is None:
-                    match = self.caps.match(pair[0] - 1, 2 * axis + 1, (grid, c), pair[1] - 1, 2 * axis, (grid, c + step))
+                    match = self.caps.match(pair[0] - 1, 2 * axis + 1, (grid, c),
+                                            pair[1] - 1, 2 * axis, (grid, c + step))
                 if match.pairs:
                     self.see(base + c, base + c + step, match)
 
@@ -136,6 +139,9 @@ class Meetings:
             overlaps.append(self.overlaps(breaks_of(n, axes[k]), theirs, reverse))
         if not overlaps[0] or not overlaps[1]:
             return
+        self.count += prod(sum(map(len, of_axis.values())) for of_axis in overlaps)
+        if self.count > MAX_MEETINGS:
+            raise Reject("T4", "more than %d pairs of walls meet" % MAX_MEETINGS)
         start = wall % 2 * (grid.counts[wall // 2] - 1) * grid.stride(wall // 2)
         next_start = other_wall % 2 * (next_grid.counts[other_wall // 2] - 1) * next_grid.stride(other_wall // 2)
         steps, next_steps = [grid.stride(a) for a in axes], [next_grid.stride(others[k ^ exchanged]) for k in (0, 1)]
@@ -147,9 +153,6 @@ class Meetings:
                     for l, place_l in beside_j:
                         next_cell = next_start + k * next_steps[0] + l * next_steps[1]
                         if next_grid.cells[next_cell]:
-                            self.count += 1
-                            if self.count > MAX_MEETINGS:
-                                raise Reject("T4", "more than %d pairs of walls meet" % MAX_MEETINGS)
                             self.see(self.base[n] + cell, self.base[m] + next_cell, self.caps.match(
                                 tile - 1, wall, (grid, cell), next_grid.cells[next_cell] - 1, other_wall,
                                 (next_grid, next_cell), (exchanged, place_k, place_l)))

@@ -26,8 +26,7 @@ Result<CageContent> content_of_splines(const SplineFile& file) {
   const Result<PatchSource> source = patch_source(file.model);
   if (!source) return source.error();
   if (!source->foreign.empty())
-    return Error{Code::kBadArgument, source->foreign.front().place,
-                 "no cage is made around " + to_string(source->foreign.front())};
+    return bad_argument("no cage is made around " + to_string(source->foreign.front()));
   return content_of(source->patches);
 }
 

@@ -13,6 +13,7 @@
 #include "io/splines/write_splines.h"
 #include "io/trees/build_tree.h"
 #include "report/cage_report.h"
+#include "report/decimal_text.h"
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
 #include "solids/micro/cage/cage_containment.h"
@@ -31,6 +32,7 @@ class CageRun {
     if (const Status status = check_outputs(); !status) return fail(status.error());
     const Result<Cells> cells = make();
     if (!cells) return refuse(cells.error());
+    if (in_hole_) return outside();
     if (const ExitCode exit = check_containment(*cells); exit != kExitValid) return exit;
     return certify_and_write(*cells);
   }
@@ -43,11 +45,20 @@ class CageRun {
     return options_.around ? options_.around : options_.of;
   }
 
-  // What is wrong with a file has its name; parameters that do not fit are wrong usage.
-  static ExitCode refuse(const Error& error) {
+  // What is wrong with a file has its name; parameters that do not fit are wrong usage, and the sentence begins with the
+  // name of one.
+  ExitCode refuse(Error error) const {
+    const bool is_usage = error.code == Code::kBadArgument && error.place.file.empty();
+    if (error.place.file.empty()) {
+      const std::string word = error.message.substr(0, error.message.find(' '));
+      const bool is_radial = *options_.kind == CageKind::kRadial;
+      if (is_radial && (word == "low" || word == "degrees"))
+        error.message = (word == "low" ? "--height: " : "--sector: ") + error.message;
+      else
+        error.message = "--" + error.message;
+    }
     complain(harmless(to_string(error)));
-    return error.code == Code::kBadArgument && error.place.file.empty() ? kExitUsage
-                                                                        : kExitUnreadable;
+    return is_usage ? kExitUsage : kExitUnreadable;
   }
 
   Status check_outputs() const {
@@ -98,28 +109,20 @@ class CageRun {
   Result<Cells> radial() {
     RadialShape shape = options_.shape();
     if (model_) {
+      const CageBox box = box_of(model_->content);
+      for (std::size_t k = 0; k < 3 && !options_.point; ++k)
+        shape.axis.point[k] = (box.min[k] + box.max[k]) / Rational(2);
       Result<RadialShape> around = radial_shape_around(model_->content, shape, margin_);
-      if (!around) return named(around.error());
+      if (!around) return around.error();
       shape = std::move(*around);
     }
     const Result<RadialCage> cage = radial_cage(shape);
-    if (!cage) return named(cage.error());
+    if (!cage) return cage.error();
     if (shape.degrees) report_.angle_error = cage->angle_error;
+    if (model_) in_hole_ = first_in_hole(model_->content, shape);
     // A whole disc is convex, and contains what it was made around.
     is_checked_ = model_ && (shape.degrees || shape.inner.sign() != Sign::kZero);
     return Cells{cage->cell};
-  }
-
-  // With the option in the place of the member's name, with which the sentence begins.
-  static Error named(Error error) {
-    for (const auto& [member, option] : {std::pair{"inner", "--inner"},
-                                         {"axis", "--axis"},
-                                         {"low", "--height: low"},
-                                         {"degrees", "--sector: degrees"},
-                                         {"start", "--start"}})
-      if (error.message.starts_with(member))
-        error.message = option + error.message.substr(std::string(member).size());
-    return error;
   }
 
   Result<Cells> hull() {
@@ -151,25 +154,33 @@ class CageRun {
     return place;
   }
 
+  ExitCode outside() const {
+    const CellPoint& p = model_->content.points[*in_hole_];
+    complain(harmless(*options_.around) +
+             ": the cage does not contain it, and nothing is written: " +
+             point_text({nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])}) +
+             " lies in the hole (--inner)");
+    return kExitInvalid;
+  }
+
   ExitCode check_containment(const Cells& cells) const {
     if (!is_checked_) return kExitValid;
     const Result<VModel> model = make_v_model(cells, VOrientation::kKeep);
     if (!model) return kExitValid;  // the certifier says why
     const std::optional<CageGap> gap = find_gap(*model, model_->content);
     if (!gap) return kExitValid;
-    std::string text = *options_.around +
-                       ": not proved to lie inside of the cage, and nothing is written: " +
+    std::string text = ": not proved to lie inside of the cage, and nothing is written: " +
                        part_name(*model_, gap->part);
     if (gap->face)
       text += " may meet the face " + std::string(1, "uvw"[*gap->face % 6 / 2]) +
               std::to_string(*gap->face % 2) + " of cell " + std::to_string(*gap->face / 6);
     else
       text += " was not found in it";
-    complain(harmless(text));
+    complain(harmless(*options_.around) + text);
     return kExitUndecided;
   }
 
-  // Whether numbers are so short that the file can be read back.
+  // The certificate of the bytes, as the file will be read.
   Result<Certified> certified(const std::string& bytes) const {
     ModelReadOptions reading = options_.reading;
     reading.format = SplineFormat::kJson;
@@ -181,10 +192,16 @@ class CageRun {
     return certify(*file, certify_options);
   }
 
+  // A limit on numbers, as a rule.
+  static ExitCode not_readable(const Error& error) {
+    complain(harmless("not written, it would not be read back: " + to_string(error)));
+    return kExitUnreadable;
+  }
+
   ExitCode certify_and_write(const Cells& cells) {
     const std::string bytes = spline_json_bytes(model_of_cells(cells));
     const Result<Certified> answer = certified(bytes);
-    if (!answer) return refuse(answer.error());
+    if (!answer) return not_readable(answer.error());
     const auto* const facts = std::get_if<PatchFacts>(&answer->facts);
     if (answer->verdict != Verdict::kValid || facts == nullptr || !facts->vmodel) {
       std::string text =
@@ -217,7 +234,8 @@ class CageRun {
   StandardOutput& out_;
   std::optional<CagedModel> model_;
   Rational margin_;
-  bool is_checked_ = false;
+  bool is_checked_ = false;  // whether find_gap has to prove that the cage contains the model
+  std::optional<std::size_t> in_hole_;
   CageReport report_;
   Stopwatch watch_;
 };

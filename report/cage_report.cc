@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "report/cage_report.h"
 
+#include "interval/numeric.h"
 #include "report/decimal_text.h"
 #include "report/json_text.h"
 #include "report/patch_report_internal.h"
@@ -43,7 +44,10 @@ std::string cage_text(const CageReport& report) {
                      (f.vmodel->singular.empty() ? "" : ", not regular") + ", " +
                      counted(report.control_points, "control point", "control points") +
                      ", genus " + std::to_string(f.genus);
-  if (f.volume) text += ", volume " + range_text(*f.volume, 6);
+  if (f.vmodel->volume)
+    text += ", volume " + short_decimal(*f.vmodel->volume);
+  else if (f.volume)
+    text += ", volume about " + short_decimal(mid(*f.volume));
   text += "\n";
   if (report.pull)
     text += "  pulled in " + counted(report.pull->rounds, "round", "rounds") + ", " +

@@ -83,7 +83,7 @@ Point3d mixed(const Point3d& a, const Point3d& b, const Point3d& c, double v, do
   return out;
 }
 
-// The nearest point of a triangle. Source: [Eri05] 5.1.5.
+// The nearest point of a triangle, by the regions of its corners, sides and inside.
 Point3d approx_nearest_on(const Point3d& p, const Point3d& a, const Point3d& b, const Point3d& c) {
   const auto minus = [](const Point3d& x, const Point3d& y) {
     return Point3d{x[0] - y[0], x[1] - y[1], x[2] - y[2]};

@@ -12,6 +12,7 @@
 #include "solids/vmodel/jacobian_net.h"
 #include "solids/vmodel/jacobian_sign.h"
 #include "splines/convert.h"
+#include "splines/de_casteljau.h"
 #include "splines/knot_insertion.h"
 
 namespace veritope {
@@ -20,6 +21,9 @@ namespace {
 using Index3 = std::array<std::size_t, 3>;
 
 constexpr int kMostStepHalvings = 20, kBorderHalvings = 6;
+constexpr int kScaleHalvings = 9;
+constexpr int kEvenings = 2;
+constexpr double kPull = 0.5, kStraightening = 0.3;
 constexpr int kMostTrials = 64;         // of a round before all steps are halved
 constexpr double kLeastScale = 0x1p-6;  // of the box's determinant
 
@@ -40,6 +44,7 @@ class CageNet {
             nearest_double(internal::multiple_below(begin + (end - begin) * part, unit)));
       }
     }
+    for (std::size_t k = 0; k < 3; ++k) between_[k] = between(greville_[k], grid.spans[k]);
     for (std::size_t n = 0; n < net_.count(); ++n) {
       const Index3 at = net_.index_of(n);
       points_.push_back({places[0][at[0]], places[1][at[1]], places[2][at[2]]});
@@ -56,6 +61,18 @@ class CageNet {
       if (at[k] == 0 || at[k] + 1 == net_.size[k]) return true;
     return false;
   }
+  // Whether a face along the axis has the control point.
+  bool is_in_face(const Index3& at, std::size_t axis) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (k != axis && (at[k] == 0 || at[k] + 1 == net_.size[k])) return true;
+    return false;
+  }
+  // By the Greville abscissa, up to rounding.
+  bool is_in_span(std::size_t axis, std::size_t i, std::size_t span) const {
+    const double place = greville_[axis][i] * static_cast<double>(grid_of_cage_.spans[axis]);
+    const auto begin = static_cast<double>(span);
+    return place > begin - 0x1p-20 && place < begin + 1 + 0x1p-20;
+  }
   double rounded(double x) const { return std::nearbyint(x / unit_) * unit_; }
 
   CellVolume cell() const {
@@ -63,6 +80,43 @@ class CageNet {
     for (std::size_t k = 0; k < 3; ++k)
       for (const Point3d& p : points_) all.push_back(Rational::from_double(p[k]));
     return CellVolume(axes_, 3, false, std::move(all));
+  }
+
+  // The means of the neighbours of a control point of the border, one for each axis along which it has two in a common
+  // face: where it would lie if the net were straight.
+  std::vector<Point3d> straight(const std::vector<Point3d>& values, std::size_t n) const {
+    const Index3 at = net_.index_of(n);
+    std::vector<Point3d> out;
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (!is_in_face(at, a) || at[a] == 0 || at[a] + 1 == net_.size[a]) continue;
+      Index3 before = at, after = at;
+      --before[a];
+      ++after[a];
+      const std::vector<double>& g = greville_[a];
+      const double t = (g[at[a]] - g[before[a]]) / (g[after[a]] - g[before[a]]);
+      const Point3d &p = values[net_.at(before)], &q = values[net_.at(after)];
+      Point3d mean;
+      for (std::size_t k = 0; k < 3; ++k) mean[k] = (1 - t) * p[k] + t * q[k];
+      out.push_back(mean);
+    }
+    return out;
+  }
+
+  // Makes moves of the border linear between control points that are about a knot span apart: near the ends of an axis
+  // others are so close to each other that different moves would fold the map.
+  void coarsen(std::vector<Point3d>& moves) const {
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t n = 0; n < net_.count(); ++n) {
+        const Index3 at = net_.index_of(n);
+        const auto [low, high, part] = between_[a][at[a]];
+        if (low == high || !is_in_face(at, a)) continue;
+        Index3 first = at, second = at;
+        first[a] = low;
+        second[a] = high;
+        const Point3d &p = moves[net_.at(first)], &q = moves[net_.at(second)];
+        for (std::size_t k = 0; k < 3; ++k) moves[n][k] = (1 - part) * p[k] + part * q[k];
+      }
+    }
   }
 
   // Sets the moves of inner control points: the Boolean sum of those of the border.
@@ -92,8 +146,36 @@ class CageNet {
   }
 
  private:
+  // Control points between which another one lies, and where; both are the same for one that stands for itself.
+  struct Between {
+    std::size_t low, high;
+    double part;
+  };
+  static std::vector<Between> between(const std::vector<double>& greville, std::uint64_t spans) {
+    const double least = 0.75 / static_cast<double>(spans);
+    const std::size_t end = greville.size() - 1;
+    std::vector<std::size_t> kept{0};
+    for (std::size_t i = 1; i < end && spans > 1; ++i)
+      if (greville[i] - greville[kept.back()] >= least && 1 - greville[i] >= least)
+        kept.push_back(i);
+    kept.push_back(end);
+    std::vector<Between> out;
+    for (std::size_t i = 0; i <= end; ++i) {
+      const auto next = std::lower_bound(kept.begin(), kept.end(), i);
+      if (*next == i || spans == 1) {
+        out.push_back({i, i, 0});
+        continue;
+      }
+      const std::size_t low = *(next - 1);
+      out.push_back(
+          {low, *next, (greville[i] - greville[low]) / (greville[*next] - greville[low])});
+    }
+    return out;
+  }
+
   CageGrid grid_of_cage_;
   double unit_;
+  std::array<std::vector<Between>, 3> between_;
   std::array<KnotAxis<Rational>, 3> axes_;
   std::array<std::vector<double>, 3> greville_;
   Grid<3> net_;
@@ -137,9 +219,11 @@ class NetTrial {
     const auto pieces = bezier_pieces(nearest_double(cell).value());
     const Grid<3> grid = pieces.grid();
     for (std::size_t n = 0; n < grid.count(); ++n) {
-      const std::vector<double> values = internal::plain_jacobian(pieces.pieces[n]);
-      const auto least = std::min_element(values.begin(), values.end());
-      if (*least >= least_scale_) continue;
+      std::array<int, 3> degrees;
+      for (std::size_t k = 0; k < 3; ++k) degrees[k] = 3 * net_.grid().degrees[k] - 1;
+      const BezierVolume<double> scale(degrees, 1, false,
+                                       internal::plain_jacobian(pieces.pieces[n]));
+      if (is_large(scale, kScaleHalvings)) continue;
       // The faces that are nearest to the span.
       const Index3 span = grid.index_of(n);
       std::size_t nearest = span[0];
@@ -152,16 +236,30 @@ class NetTrial {
     }
   }
 
-  // The control points of a face on which the spans depend.
-  void blame_window(Index3 first, std::size_t axis, std::size_t end) {
-    Grid<3> window;
-    for (std::size_t k = 0; k < 3; ++k)
-      window.size[k] = k == axis ? 1 : static_cast<std::size_t>(net_.grid().degrees[k]) + 1;
-    first[axis] = end == 0 ? 0 : net_.net().size[axis] - 1;
-    for (std::size_t n = 0; n < window.count(); ++n) {
-      Index3 at = window.index_of(n);
-      for (std::size_t k = 0; k < 3; ++k) at[k] += first[k];
-      is_blamed_[net_.net().at(at)] = true;
+  // Whether the function is at least the least scale.
+  bool is_large(const BezierVolume<double>& scale, int halvings) const {
+    const auto values = scale.coefficients();
+    if (*std::min_element(values.begin(), values.end()) >= least_scale_) return true;
+    const Grid<3> grid = scale.grid();
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      Index3 at;
+      for (std::size_t k = 0; k < 3; ++k) at[k] = (corner >> k & 1) == 0 ? 0 : grid.size[k] - 1;
+      if (values[grid.at(at)] < least_scale_) return false;
+    }
+    if (halvings == 0) return false;
+    const auto [first, second] = split(scale, static_cast<std::size_t>(halvings % 3), 0.5);
+    return is_large(first, halvings - 1) && is_large(second, halvings - 1);
+  }
+
+  // The control points of a face that count most in the span: those that lie in it by their Greville abscissae.
+  void blame_window(const Index3& span, std::size_t axis, std::size_t end) {
+    const Grid<3>& net = net_.net();
+    for (std::size_t n = 0; n < net.count(); ++n) {
+      const Index3 at = net.index_of(n);
+      bool is_near = at[axis] == (end == 0 ? 0 : net.size[axis] - 1);
+      for (std::size_t k = 0; k < 3; ++k)
+        is_near = is_near && (k == axis || net_.is_in_span(k, at[k], span[k]));
+      if (is_near) is_blamed_[n] = true;
     }
   }
 
@@ -205,6 +303,8 @@ class HullPull {
     std::vector<int> halvings(before.size(), 0);
     for (std::size_t n = 0; n < before.size(); ++n)
       if (net_.is_border(net_.net().index_of(n))) targets[n] = move_of(before[n]);
+    for (int pass = 0; pass < kEvenings; ++pass) even_out(targets);
+    add_straightening(before, targets);
     for (int trial = 0;; ++trial) {
       if (!apply(before, targets, halvings)) return false;
       const std::vector<std::size_t> blamed = NetTrial(net_, search_, least_scale_).blamed();
@@ -212,7 +312,7 @@ class HullPull {
       bool is_shorter = false;
       for (const std::size_t n : blamed) {
         if (halvings[n] > kMostStepHalvings || targets[n] == Point3d{}) continue;
-        ++halvings[n];
+        halvings[n] += 1 + trial / 4;
         ++shortened;
         is_shorter = true;
       }
@@ -222,13 +322,32 @@ class HullPull {
     }
   }
 
+  static void mix(const std::vector<Point3d>& means, double part, const Point3d& from,
+                  Point3d& to) {
+    for (const Point3d& mean : means)
+      for (std::size_t k = 0; k < 3; ++k)
+        to[k] += part / static_cast<double>(means.size()) * (mean[k] - from[k]);
+  }
+  void even_out(std::vector<Point3d>& moves) const {
+    std::vector<Point3d> out = moves;
+    for (std::size_t n = 0; n < moves.size(); ++n)
+      if (net_.is_border(net_.net().index_of(n)))
+        mix(net_.straight(moves, n), 0.5, moves[n], out[n]);
+    moves = std::move(out);
+  }
+  void add_straightening(const std::vector<Point3d>& points, std::vector<Point3d>& moves) const {
+    for (std::size_t n = 0; n < moves.size(); ++n)
+      if (net_.is_border(net_.net().index_of(n)))
+        mix(net_.straight(points, n), kStraightening, points[n], moves[n]);
+  }
+
   // Halfway along the line to the nearest place, less the margin.
   Point3d move_of(const Point3d& p) const {
     const Point3d place = search_.approx_nearest(p);
     const Point3d way = {place[0] - p[0], place[1] - p[1], place[2] - p[2]};
     const double length = std::hypot(way[0], way[1], way[2]);
     if (!(length > margin_)) return {};
-    const double part = 0.5 * (length - margin_) / length;
+    const double part = kPull * (length - margin_) / length;
     return {part * way[0], part * way[1], part * way[2]};
   }
 
@@ -238,6 +357,7 @@ class HullPull {
     for (std::size_t n = 0; n < moves.size(); ++n)
       for (double& x : moves[n])
         x = halvings[n] > kMostStepHalvings ? 0 : std::ldexp(x, -halvings[n]);
+    net_.coarsen(moves);
     net_.spread(moves);
     bool has_moved = false;
     for (std::size_t n = 0; n < moves.size(); ++n)

@@ -129,4 +129,14 @@ Result<RadialShape> radial_shape_around(const CageContent& content, RadialShape 
   return shape;
 }
 
+std::optional<std::size_t> first_in_hole(const CageContent& content, const RadialShape& shape) {
+  const CellPoint& d = shape.axis.direction;
+  for (std::size_t i = 0; i < content.points.size(); ++i) {
+    const CellPoint from = at_multiple(content.points[i], Rational(-1), shape.axis.point);
+    const Rational along = dot_of(from, d);
+    if (dot_of(from, from) - along * along / dot_of(d, d) < shape.inner * shape.inner) return i;
+  }
+  return std::nullopt;
+}
+
 }  // namespace veritope

@@ -2,6 +2,7 @@
 // solids/micro/cage/radial_cage.h: rings, discs and sectors about an axis as one cell.
 // Source: seed paper 003, figure 4c. Gluing and the collapsed axis: docs/THEORY.md, VMODEL-1.
 #pragma once
+#include <cstddef>
 #include <optional>
 
 #include "robust/base/result.h"
@@ -40,5 +41,9 @@ Result<RadialCage> radial_cage(const RadialShape& shape);
 /// @error kBadArgument for the direction 0
 Result<RadialShape> radial_shape_around(const CageContent& content, RadialShape shape,
                                         const Rational& margin);
+
+/// A point of the content that is nearer to the axis than `inner`, exactly: the shape does not contain it. Nothing: no
+/// corner of a part is. REQUIRES a direction that is not 0.
+std::optional<std::size_t> first_in_hole(const CageContent& content, const RadialShape& shape);
 
 }  // namespace veritope

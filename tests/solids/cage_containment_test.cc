@@ -67,7 +67,7 @@ TEST(CageContainment, AgreesWithCoordinatesInBoxes) {
   const VModel cage = unit_cage();
   std::mt19937_64 random(kSeed);
   int num_inside = 0;
-  for (int loop = 0; loop < 300; ++loop) {
+  for (int loop = 0; loop < 100; ++loop) {
     std::vector<CellPoint> points;
     bool is_inside = true;
     for (int i = 0; i < 4; ++i) {
@@ -82,8 +82,8 @@ TEST(CageContainment, AgreesWithCoordinatesInBoxes) {
     EXPECT_EQ(!find_gap(cage, hull_of(points)).has_value(), is_inside);
     num_inside += is_inside ? 1 : 0;
   }
-  EXPECT_GT(num_inside, 20);
-  EXPECT_LT(num_inside, 280);
+  EXPECT_GT(num_inside, 10);
+  EXPECT_LT(num_inside, 90);
 }
 
 // (u, v, w) -> (u, v, w + u^2 - v^2): a point is inside iff 0 < x, y, z - x^2 + y^2 < 1.
@@ -100,7 +100,7 @@ TEST(CageContainment, NeverContradictsTheTruthInACurvedCage) {
   };
   std::mt19937_64 random(kSeed + 1);
   int num_proved = 0, num_wholly_in = 0;
-  for (int loop = 0; loop < 300; ++loop) {
+  for (int loop = 0; loop < 100; ++loop) {
     const auto place = [&](std::int64_t lo, std::int64_t hi) {
       return q(lo + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(hi - lo)),
                1024);
@@ -122,11 +122,11 @@ TEST(CageContainment, NeverContradictsTheTruthInACurvedCage) {
       }
     SCOPED_TRACE("seed " + std::to_string(kSeed + 1) + ", loop " + std::to_string(loop));
     const bool is_proved = !find_gap(cage, hull_of(points)).has_value();
-    if (is_proved) EXPECT_TRUE(are_in);
+    EXPECT_TRUE(are_in || !is_proved);
     num_proved += is_proved ? 1 : 0;
     num_wholly_in += are_in ? 1 : 0;
   }
-  EXPECT_GT(num_proved, 20);
+  EXPECT_GT(num_proved, 10);
   EXPECT_GE(num_proved, num_wholly_in - 5);  // triangles that nearly touch may stay open
 }
 

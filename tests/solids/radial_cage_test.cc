@@ -150,10 +150,11 @@ TEST(RadialCage, ContainsWhatItIsMadeAround) {
       EXPECT_LE(place, high);
       farthest = std::max(farthest, square);
     }
-    if (loop % 2 == 0)
+    if (loop % 2 == 0) {
       EXPECT_LE(radius, farthest * (q(1) + Rational::power_of_two(-38)));
-    else
+    } else {
       EXPECT_GT(radius, farthest + margin * margin);
+    }
   }
 }
 

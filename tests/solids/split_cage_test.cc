@@ -129,7 +129,7 @@ TEST(SplitCage, RefusesWhatIsNoCut) {
     return cells ? std::string() : cells.error().message;
   };
   EXPECT_EQ(message({1, 0, q(1, 2), {}}),
-            "entity 1 does not exist: there are 1 cells, numbered from 0");
+            "entity 1 does not exist: there is 1 cell, numbered from 0");
   EXPECT_EQ(message({0, 0, q(1), {}}),
             "at must lie inside of the domain, from 0 to 1, and it is 1");
   CageSplit split = crack_of(q(1, 2));

@@ -93,7 +93,7 @@ class PreimageSearch {
     const VVolume& cell = cage_.cell(c);
     const std::size_t share = std::max<std::size_t>(8, kMostSamples / cage_.num_cells());
     const auto side = std::max<std::size_t>(
-        2, std::min<std::size_t>(12, static_cast<std::size_t>(std::cbrt(share))));
+        2, std::min<std::size_t>(8, static_cast<std::size_t>(std::cbrt(share))));
     const Grid<3> grid{{side, side, side}};
     for (std::size_t n = 0; n < grid.count(); ++n) {
       const auto index = grid.index_of(n);

@@ -142,8 +142,10 @@ Status check_inside(const char* what, const Rational& at, const KnotAxis<Rationa
 
 Status check_split(const std::vector<CellVolume>& cells, const CageSplit& split) {
   if (split.cell >= cells.size())
-    return bad_argument("entity " + std::to_string(split.cell) + " does not exist: there are " +
-                        std::to_string(cells.size()) + " cells, numbered from 0");
+    return bad_argument(
+        "entity " + std::to_string(split.cell) + " does not exist: there " +
+        (cells.size() == 1 ? "is 1 cell" : "are " + std::to_string(cells.size()) + " cells") +
+        ", numbered from 0");
   const CellVolume& cell = cells[split.cell];
   if (const Status in = check_inside("at", split.at, cell.axis(split.axis)); !in) return in;
   if (!split.crack) return ok_status();

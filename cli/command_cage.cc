@@ -45,8 +45,8 @@ class CageRun {
     return options_.around ? options_.around : options_.of;
   }
 
-  // What is wrong with a file has its name; parameters that do not fit are wrong usage, and the sentence begins with the
-  // name of one.
+  // What is wrong with a file has its name; parameters that do not fit are wrong usage, and the sentence begins with
+  // the name of one.
   ExitCode refuse(Error error) const {
     const bool is_usage = error.code == Code::kBadArgument && error.place.file.empty();
     if (error.place.file.empty()) {

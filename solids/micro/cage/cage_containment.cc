@@ -15,7 +15,7 @@
 namespace veritope {
 namespace {
 
-constexpr std::size_t kMostSamples = 4096;  // of all cells
+constexpr std::size_t kMostSamples = 4096, kMostSamplesAlong = 8;  // of all cells, along an axis
 constexpr std::size_t kStarts = 3, kTriesOfGroup = 4;
 constexpr int kNewtonSteps = 24;
 
@@ -49,9 +49,11 @@ Point3d approx_image(const VVolume& cell, const Parameters& at) {
 Point3d difference(const Point3d& a, const Point3d& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-double approx_length(const Point3d& a) { return std::hypot(a[0], a[1], a[2]); }
+double approx_length(const Point3d& a) {
+  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+}
 
-// The solution of the equations with these columns; NaN where there is none.
+// The solution of the equations with these columns; NaN or infinite where the determinant vanishes.
 Point3d solved(const std::array<Point3d, 3>& columns, const Point3d& right) {
   const auto det = [](const Point3d& a, const Point3d& b, const Point3d& c) {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
@@ -91,9 +93,10 @@ class PreimageSearch {
 
   void add_samples(std::uint32_t c) {
     const VVolume& cell = cage_.cell(c);
-    const std::size_t share = std::max<std::size_t>(8, kMostSamples / cage_.num_cells());
-    const auto side = std::max<std::size_t>(
-        2, std::min<std::size_t>(8, static_cast<std::size_t>(std::cbrt(share))));
+    std::size_t side = 2;
+    while (side < kMostSamplesAlong &&
+           (side + 1) * (side + 1) * (side + 1) * cage_.num_cells() <= kMostSamples)
+      ++side;
     const Grid<3> grid{{side, side, side}};
     for (std::size_t n = 0; n < grid.count(); ++n) {
       const auto index = grid.index_of(n);

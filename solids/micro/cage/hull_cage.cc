@@ -345,7 +345,7 @@ class HullPull {
   Point3d move_of(const Point3d& p) const {
     const Point3d place = search_.approx_nearest(p);
     const Point3d way = {place[0] - p[0], place[1] - p[1], place[2] - p[2]};
-    const double length = std::hypot(way[0], way[1], way[2]);
+    const double length = std::sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
     if (!(length > margin_)) return {};
     const double part = kPull * (length - margin_) / length;
     return {part * way[0], part * way[1], part * way[2]};

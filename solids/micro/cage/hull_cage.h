@@ -29,11 +29,13 @@ struct HullCage {
 /// the net, which is straightened a little, and inner control points follow by the Boolean sum of these moves.
 /// Steps are halved, at most 20 times, where a patch of the border is not proved disjoint from the content, or where
 /// det J falls below a 64th of the box's. After each round the whole is proved: det J > 0 (jacobian_sign.h), and the
-/// content is inside (cage_containment.h, if the map is one to one, which is left to the certifier); a round that cannot
-/// be proved is undone and is the last. Control points are multiples of a power of two near a 2^16th of the diagonal.
-/// Nets of degree 1 get tightest: the map of a higher degree is smooth along edges of the box, and folds there sooner.
-/// @error kBadArgument unless margin > 0, and for content without a part; as check_cage_grid; kOverLimit for content that is
-///        2^34 times as far from the origin as it is large
+/// content is inside (cage_containment.h, if the map is one to one, which is left to the certifier); a round that
+/// cannot be proved is undone and is the last. Control points are multiples of a power of two near a 2^16th of the
+/// diagonal.
+/// Nets of degree 1 get tightest: the map of a higher degree is smooth across lines of the net, and det J vanishes
+/// where edges of the box become flat.
+/// @error kBadArgument unless margin > 0, and for content without a part; as check_cage_grid; kOverLimit for content
+///        that is 2^34 times as far from the origin as it is large
 Result<HullCage> hull_cage(const CageContent& content, const HullCageOptions& options);
 
 }  // namespace veritope

@@ -19,7 +19,8 @@ HullPoint hull_point(const std::array<Rational, 3>& p);
 Box3d box_of_hull(std::span<const HullPoint> hull);
 
 /// One hull, and directions in which others were found beyond it. They are searched for in floating point (steps
-/// towards the point of the difference of the hulls that is nearest to 0, as in [GJK88]) and proved in intervals. REQUIRES a live ScopedUpward.
+/// towards the point of the difference of the hulls that is nearest to 0, as in [GJK88]) and proved in intervals.
+/// REQUIRES a live ScopedUpward.
 class HullSides {
  public:
   /// The points must outlive the object. REQUIRES a point.

@@ -76,6 +76,9 @@ TEST(HullCage, RefusesWhatHasNoCage) {
   options.grid.degrees[1] = 0;
   EXPECT_EQ(hull_cage(ell(), options).error().code, Code::kBadArgument);
   options.grid.degrees[1] = 1;
+  options.grid.spans = {32, 32, 33};
+  EXPECT_EQ(hull_cage(ell(), options).error().code, Code::kOverLimit);
+  options.grid.spans = {1, 1, 1};
   const double far = 0x1p40;
   options.margin = q(1, 1024);
   EXPECT_EQ(hull_cage(content_of(box_mesh({far, 0, 0}, {far + 0x1p-10, 0x1p-10, 0x1p-10})), options)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -67,11 +68,17 @@ class CageNet {
       if (k != axis && (at[k] == 0 || at[k] + 1 == net_.size[k])) return true;
     return false;
   }
-  // By the Greville abscissa, up to rounding.
-  bool is_in_span(std::size_t axis, std::size_t i, std::size_t span) const {
-    const double place = greville_[axis][i] * static_cast<double>(grid_of_cage_.spans[axis]);
+  // The numbers along an axis of the control points whose Greville abscissae lie in the span, up to rounding.
+  std::vector<std::size_t> in_span(std::size_t axis, std::size_t span) const {
+    std::vector<std::size_t> out;
     const auto begin = static_cast<double>(span);
-    return place > begin - 0x1p-20 && place < begin + 1 + 0x1p-20;
+    // Control point i is that of span i - degree to i.
+    const std::size_t last = span + static_cast<std::size_t>(grid_of_cage_.degrees[axis]);
+    for (std::size_t i = span; i <= last; ++i) {
+      const double place = greville_[axis][i] * static_cast<double>(grid_of_cage_.spans[axis]);
+      if (place > begin - 0x1p-20 && place < begin + 1 + 0x1p-20) out.push_back(i);
+    }
+    return out;
   }
   double rounded(double x) const { return std::nearbyint(x / unit_) * unit_; }
 
@@ -253,14 +260,12 @@ class NetTrial {
 
   // The control points of a face that count most in the span: those that lie in it by their Greville abscissae.
   void blame_window(const Index3& span, std::size_t axis, std::size_t end) {
-    const Grid<3>& net = net_.net();
-    for (std::size_t n = 0; n < net.count(); ++n) {
-      const Index3 at = net.index_of(n);
-      bool is_near = at[axis] == (end == 0 ? 0 : net.size[axis] - 1);
-      for (std::size_t k = 0; k < 3; ++k)
-        is_near = is_near && (k == axis || net_.is_in_span(k, at[k], span[k]));
-      if (is_near) is_blamed_[n] = true;
-    }
+    std::array<std::vector<std::size_t>, 3> chosen;
+    for (std::size_t k = 0; k < 3; ++k) chosen[k] = net_.in_span(k, span[k]);
+    chosen[axis] = {end == 0 ? 0 : net_.net().size[axis] - 1};
+    for (const std::size_t i : chosen[0])
+      for (const std::size_t j : chosen[1])
+        for (const std::size_t k : chosen[2]) is_blamed_[net_.net().at({i, j, k})] = true;
   }
 
   const CageNet& net_;
@@ -388,6 +393,13 @@ Result<HullCage> hull_cage(const CageContent& content, const HullCageOptions& op
     return bad_argument("margin must be positive, not " + options.margin.to_string());
   if (content.num_parts() == 0) return bad_argument("content without a part has no cage");
   const CageBox box = grown(box_of(content), options.margin);
+  std::uint64_t spans = 1;
+  for (const std::uint64_t n : options.grid.spans) spans *= n;
+  if (spans > kMaxHullSpans)
+    return Error{Code::kOverLimit,
+                 {},
+                 "spans of a hull are at most " + std::to_string(kMaxHullSpans) +
+                     " in all, and there are " + std::to_string(spans)};
   // The margin is part of the box, so that it has a diagonal.
   const Rational unit =
       internal::power_of_two_below(margin_length(box, Rational(1))) * Rational::power_of_two(-16);

@@ -11,6 +11,9 @@
 
 namespace veritope {
 
+/// The most knot spans of a hull, in all.
+inline constexpr std::uint64_t kMaxHullSpans = std::uint64_t{1} << 15;
+
 struct HullCageOptions {
   CageGrid grid{{1, 1, 1}, {4, 4, 4}};
   /// The length that control points of the border keep from the model, in model units; > 0.
@@ -34,8 +37,8 @@ struct HullCage {
 /// diagonal.
 /// Nets of degree 1 get tightest: the map of a higher degree is smooth across lines of the net, and det J vanishes
 /// where edges of the box become flat.
-/// @error kBadArgument unless margin > 0, and for content without a part; as check_cage_grid; kOverLimit for content
-///        that is 2^34 times as far from the origin as it is large
+/// @error kBadArgument unless margin > 0, and for content without a part; as check_cage_grid; kOverLimit for more
+///        than kMaxHullSpans spans, and for content that is 2^34 times as far from the origin as it is large
 Result<HullCage> hull_cage(const CageContent& content, const HullCageOptions& options);
 
 }  // namespace veritope

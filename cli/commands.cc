@@ -6,12 +6,13 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<Command, 18> kCommands = {{
+constexpr std::array<Command, 19> kCommands = {{
     {"certify", "decide whether models bound solids, and prove it", declare_certify},
     {"info", "list what is in mesh and spline files", declare_info},
     {"inspect", "list the elements of volumes and what they share", declare_inspect},
     {"convert", "write a mesh or splines in another format, without loss", declare_convert},
     {"build", "write volumes from a tree of shapes and constructors", declare_build},
+    {"cage", "write a cage of volumes that guides microstructures", declare_cage},
     {"micro", "fill a cage of volumes with tiles that lie in a solid", declare_micro},
     {"intersect", "find where the surfaces of two files meet, and prove it", declare_intersect},
     {"project", "find where distances are critical, and prove it", declare_project},

@@ -32,6 +32,7 @@ RunCommand declare_info(OptionSet& set);
 RunCommand declare_inspect(OptionSet& set);
 RunCommand declare_convert(OptionSet& set);
 RunCommand declare_build(OptionSet& set);
+RunCommand declare_cage(OptionSet& set);
 RunCommand declare_micro(OptionSet& set);
 RunCommand declare_intersect(OptionSet& set);
 RunCommand declare_project(OptionSet& set);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_formula.cc: ns a rounded value of a formula at rational points, one thread, least of the repetitions. Rows
-// formula_<name>: beside plain binary64 with the functions of the C library, compiled, without bounds;
+// bench/bench_formula.cc: ns a rounded value of a formula at rational points, one thread, least of the repetitions.
+// Rows formula_<name>: beside plain binary64 with the functions of the C library, compiled, without bounds;
 // formula_waves_fractions: fractions and 128 bits, the tiers that decide what binary64 intervals leave open.
 #include <algorithm>
 #include <cmath>

@@ -25,7 +25,7 @@ std::optional<Rational> exact_square_root(const Rational& x) {
   return Rational(*n, *d);
 }
 
-// The n-th root, if it is an integer. REQUIRES a > 0, n > 0. Only one integer is near the root, and its power is compared.
+// The n-th root, if it is an integer. REQUIRES a > 0, n > 0. Only one integer is near the root; its power is compared.
 std::optional<Integer> exact_root(const Integer& a, std::uint64_t n) {
   if (a == Integer(1)) return a;
   if (n >= a.bit_length()) return std::nullopt;  // 1 < root < 2

@@ -68,12 +68,12 @@ std::vector<ExactNode> exact_nodes(const RealFormula& formula, const FormulaPoin
 /// The integer nearest to x 2^20, ties to even. REQUIRES |x| <= 2^40.
 std::int64_t nearest_multiple(const Rational& x);
 
-/// Third tier: intervals with as many bits as asked for, around exact nodes where there are any. Stops at the first node
-/// that has no value, or of which the intervals do not say whether it has one.
+/// Third tier: intervals with as many bits as asked for, around exact nodes where there are any. Stops at the first
+/// node that has no value, or of which the intervals do not say whether it has one.
 struct WideOutcome {
   FormulaFault fault = FormulaFault::kNone;
   bool is_certain = true;  ///< false: there may be this fault
-  std::uint32_t node = 0;  ///< where it is; the last node if there is none
+  std::uint32_t node = 0;  ///< where it is; without a fault the last node
   MpInterval value{2};     ///< of this node; or, at a fault, of the operand in question
 };
 WideOutcome wide_value(const RealFormula& formula, std::span<const ExactNode> exact, int precision);

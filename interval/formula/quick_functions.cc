@@ -18,39 +18,36 @@ constexpr double kLog2 = 0x1.62e42fefa2p-1;
 constexpr double kLog2Low = 0x1.9ef35793c7673p-41, kLog2High = 0x1.9ef35793c7674p-41;
 
 constexpr double kMostWaveArgument = 0x1p20;
-constexpr double kMostTurn = 0.8125, kMostRest = 0.375;  // of reduced arguments, in absolute value
+constexpr double kMostTurn = TaylorSeries::kMostTurn, kMostRest = TaylorSeries::kMostRest;
 
 Interval symmetric(double most) { return Interval::from_bounds(-most, most); }
 
-// The coefficients of Taylor series. Each last one is widened by what the remainder adds to it, for arguments up to
-// kMostTurn and kMostRest. REQUIRES a live ScopedUpward.
-struct TaylorSeries {
-  std::array<Interval, 9> sine;       // sin(r) / r in powers of r^2
-  std::array<Interval, 10> cosine;    // cos(r) in powers of r^2
-  std::array<Interval, 16> exponent;  // exp(r) in powers of r
+}  // namespace
 
-  TaylorSeries() {
-    std::array<Interval, 21> inverse_factorial;  // factorials up to 20! are binary64 numbers
-    double factorial = 1;
-    for (std::size_t n = 0; n < inverse_factorial.size(); ++n) {
-      if (n > 0) factorial *= static_cast<double>(n);
-      inverse_factorial[n] = recip(Interval(factorial));
-    }
-    const auto with_sign = [](std::size_t j, const Interval& x) { return j % 2 == 0 ? x : -x; };
-    for (std::size_t j = 0; j < sine.size(); ++j)
-      sine[j] = with_sign(j, inverse_factorial[2 * j + 1]);
-    for (std::size_t j = 0; j < cosine.size(); ++j)
-      cosine[j] = with_sign(j, inverse_factorial[2 * j]);
-    for (std::size_t j = 0; j < exponent.size(); ++j) exponent[j] = inverse_factorial[j];
-    // |sin(r) - series| <= |r|^19 / 19! = |r| (r^2)^8 (r^2 / 19!).
-    const Interval square = sqr(Interval(kMostTurn));
-    sine.back() += symmetric(1) * square * inverse_factorial[19];
-    // |cos(r) - series| <= |r|^20 / 20! = (r^2)^9 (r^2 / 20!).
-    cosine.back() += symmetric(1) * square * inverse_factorial[20];
-    // |exp(r) - series| <= exp(|r|) |r|^16 / 16! <= |r|^15 (2 |r| / 16!), because exp(3/8) < 2.
-    exponent.back() += symmetric(2 * kMostRest) * inverse_factorial[16];
+TaylorSeries::TaylorSeries() {
+  std::array<Interval, 21> inverse_factorial;  // factorials up to 20! are binary64 numbers
+  double factorial = 1;
+  for (std::size_t n = 0; n < inverse_factorial.size(); ++n) {
+    if (n > 0) factorial *= static_cast<double>(n);
+    inverse_factorial[n] = recip(Interval(factorial));
   }
-};
+  const auto with_sign = [](std::size_t j, const Interval& x) { return j % 2 == 0 ? x : -x; };
+  for (std::size_t j = 0; j < sine.size(); ++j)
+    sine[j] = with_sign(j, inverse_factorial[2 * j + 1]);
+  for (std::size_t j = 0; j < cosine.size(); ++j)
+    cosine[j] = with_sign(j, inverse_factorial[2 * j]);
+  for (std::size_t j = 0; j < exponent.size(); ++j) exponent[j] = inverse_factorial[j];
+  // |sin(r) - series| <= |r|^19 / 19! = |r| (r^2)^8 (r^2 / 19!).
+  const Interval square = sqr(Interval(kMostTurn));
+  sine.back() += symmetric(1) * square * inverse_factorial[19];
+  // |cos(r) - series| <= |r|^20 / 20! = (r^2)^9 (r^2 / 20!).
+  cosine.back() += symmetric(1) * square * inverse_factorial[20];
+  // |exp(r) - series| <= exp(|r|) |r|^16 / 16! <= |r|^15 (2 |r| / 16!), because exp(3/8) < 2.
+  exponent.back() += symmetric(2 * kMostRest) * inverse_factorial[16];
+}
+
+namespace {
+
 const TaylorSeries& taylor_series() {
   static const TaylorSeries series;
   return series;

@@ -4,6 +4,7 @@
 // 10 us: arguments are reduced, series are summed, and remainders are added, all by operations of Interval, so that
 // no rounding error needs a bound of its own.
 #pragma once
+#include <array>
 #include <cstdint>
 
 #include "interval/interval.h"
@@ -17,5 +18,16 @@ Interval quick_cos(const Interval& x);
 Interval quick_exp(const Interval& x);
 /// x^n; products for |n| <= 64. REQUIRES that n >= 0 or 0 is not in x.
 Interval quick_power(const Interval& x, std::int64_t n);
+
+/// The coefficients of the Taylor series. Each last one is widened by what the remainder adds to it, for arguments r
+/// up to kMostTurn (sine, cosine) and kMostRest (exponential) in absolute value: with some members of these intervals
+/// the sums are exact. Declared for tests. REQUIRES a live ScopedUpward.
+struct TaylorSeries {
+  static constexpr double kMostTurn = 0.8125, kMostRest = 0.375;
+  std::array<Interval, 9> sine;       ///< of sin(r) / r in powers of r^2
+  std::array<Interval, 10> cosine;    ///< of cos(r) in powers of r^2
+  std::array<Interval, 16> exponent;  ///< of exp(r) in powers of r
+  TaylorSeries();
+};
 
 }  // namespace veritope::internal

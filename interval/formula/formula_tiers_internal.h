@@ -58,10 +58,10 @@ class QuickFormula {
 std::optional<std::int64_t> nearest_multiple(const Interval& x);
 
 /// Second tier: nodes whose values are rational numbers, as exact numbers of not more than kMostExactBits bits above
-/// and below the fraction bar. A node without value and fault is to be enclosed.
+/// and below the fraction bar. The third tier asks for their signs, and so finds where there is no value.
 struct ExactNode {
-  std::optional<Rational> value;
-  FormulaFault fault = FormulaFault::kNone;
+  std::optional<Rational> value;  ///< absent: irrational, too long, too large, or there is none
+  bool is_too_large = false;
 };
 inline constexpr std::uint64_t kMostExactBits = 16384;
 std::vector<ExactNode> exact_nodes(const RealFormula& formula, const FormulaPoint& at);
@@ -74,7 +74,7 @@ struct WideOutcome {
   FormulaFault fault = FormulaFault::kNone;
   bool is_certain = true;  ///< false: there may be this fault
   std::uint32_t node = 0;  ///< where it is; without a fault the last node
-  MpInterval value{2};     ///< of this node; or, at a fault, of the operand in question
+  MpInterval value{2};     ///< of this node; where there may be a fault, of the operand in question
 };
 WideOutcome wide_value(const RealFormula& formula, std::span<const ExactNode> exact, int precision);
 

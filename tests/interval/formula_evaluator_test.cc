@@ -72,6 +72,10 @@ TEST(FormulaEvaluator, ValuesAreTheGoldenOnesInEveryTier) {
       {"1e12/3", 349525333333333333},
       {"(3/7)^(1/5)", 885125},
       {"rand(3)*x", 92387},
+      {"10^(1/3)", 2259089},
+      // pi between two binary64 numbers
+      {"(pi - 3.141592653589793115997963468544185161590576171875)*1e12", 128},
+      {"(pi - 3.141592653589793560087173318606801331043243408203125)*1e12", -337},
       {"2^40", std::int64_t{1} << 60},
       {"-2^40", -(std::int64_t{1} << 60)},
       {"n", 3 << 20},
@@ -267,6 +271,9 @@ TEST(FormulaEvaluator, LongFractionsAreLeftToIntervals) {
       "(column 1) lies in the middle between two multiples of 2^-20; the number in question lies "
       "in "
       "[1.4305114746093748e-06, 1.430511474609375e-06]");
+  // Products of numbers of 12,680 bits.
+  EXPECT_TRUE(answer("3/2^21 - (1/3)^8000*(1/3)^8000", Tier::kBinary64).starts_with("open: "));
+  EXPECT_EQ(answer("3/2^21 - (1/3)^8000", Tier::kBinary64), "1");
   const std::vector<Rational> fine = {Rational(1) / Rational(power(Integer(3), 20000)), Rational(0),
                                       Rational(0), Rational(0)};
   expect_answer("x", "0", fine);

@@ -60,7 +60,7 @@ std::optional<std::int64_t> nearest_multiple(const Interval& x);
 /// Second tier: nodes whose values are rational numbers, as exact numbers of not more than kMostExactBits bits above
 /// and below the fraction bar. The third tier asks for their signs, and so finds where there is no value.
 struct ExactNode {
-  std::optional<Rational> value;  ///< absent: irrational, too long, too large, or there is none
+  std::optional<Rational> value;  ///< absent: irrational, too long or too large, or does not exist
   bool is_too_large = false;
 };
 inline constexpr std::uint64_t kMostExactBits = 16384;

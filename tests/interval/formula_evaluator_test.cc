@@ -138,6 +138,8 @@ TEST(FormulaEvaluator, NamesThePartTheColumnAndTheVariablesWhereThereIsNoValue) 
       "error: the value of \"exp(28*z)\" (column 2) exceeds 2^40 in absolute value at z = 5/4");
   expect_answer("2^40 + 1e-1000",
                 "error: the value of \"2^40 + 1e-1000\" (column 1) exceeds 2^40 in absolute value");
+  expect_answer("-2^40 - 1",
+                "error: the value of \"-2^40 - 1\" (column 1) exceeds 2^40 in absolute value");
   expect_answer("10^1e12",
                 "error: the value of \"10^1e12\" (column 1) exceeds 2^40 in absolute value");
   expect_answer("1/(rand(1)*0)",
@@ -200,6 +202,7 @@ TEST(FormulaEvaluator, SaysUndecidedWhereNoNumberOfBitsDecides) {
       {"(-2)^(sin(x)^2 + cos(x)^2)",
        "a negative number is raised to a power that is not an integer in"},
       {"(sin(x) - sin(x))^-1", "0 is raised to a negative power in"},
+      {"(sin(x) - sin(x))^0.5", "a negative number is raised to a power that is not an integer in"},
       {"0^(sin(x) - sin(x))", "0 is raised to a negative power in"},
       {"2^40*(sin(x)^2 + cos(x)^2)", "exceeds 2^40 in absolute value at x = 1/3;"},
   };

@@ -10,13 +10,6 @@
 namespace veritope::internal {
 namespace {
 
-// pi / 2 and log 2 as sums of numbers with 31, 32 and 40 bits, whose products with an integer of 20 or 12 bits are
-// exact, and an enclosure of the rest. Compared with MPFR in tests/interval/quick_functions_test.cc.
-constexpr double kHalfPi1 = 0x1.921fb544p+0, kHalfPi2 = 0x1.0b4611a0p-34;
-constexpr double kHalfPiLow = 0x1.898cc51701b83p-64, kHalfPiHigh = 0x1.898cc51701b84p-64;
-constexpr double kLog2 = 0x1.62e42fefa2p-1;
-constexpr double kLog2Low = 0x1.9ef35793c7673p-41, kLog2High = 0x1.9ef35793c7674p-41;
-
 constexpr double kMostWaveArgument = 0x1p20;
 constexpr double kMostTurn = TaylorSeries::kMostTurn, kMostRest = TaylorSeries::kMostRest;
 
@@ -118,7 +111,7 @@ Interval quick_power(const Interval& x, std::int64_t n) {
   constexpr std::int64_t kMostProducts = 64;
   if (n < -kMostProducts || n > kMostProducts) return pown(x, n);
   if (n < 0) return recip(quick_power(x, -n));
-  Interval power(1.0), square = n % 2 == 0 ? abs(x) : x;
+  Interval power(1.0), square = x;
   for (std::int64_t rest = n; rest > 0; rest /= 2) {
     if (rest % 2 != 0) power *= square;
     if (rest > 1) square = sqr(square);

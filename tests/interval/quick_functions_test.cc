@@ -124,20 +124,19 @@ TEST(QuickFunctions, LastCoefficientsContainTheRemainders) {
   expect_series(series.exponent, false, 0, 1, Rational(2) * rest * inverse_factorial(16));
 }
 
-// The numbers that stand in the source file.
 TEST(QuickFunctions, ConstantsEncloseHalfPiAndTheLogarithmOfTwo) {
   const auto sum = [](double a, double b, double c) {
     return Rational::from_double(a) + Rational::from_double(b) + Rational::from_double(c);
   };
   const MpInterval half_pi = MpInterval::pi(400) / MpInterval(Rational(2), 400);
-  EXPECT_LT(sum(0x1.921fb544p+0, 0x1.0b4611a0p-34, 0x1.898cc51701b83p-64), half_pi.lo());
-  EXPECT_LT(half_pi.hi(), sum(0x1.921fb544p+0, 0x1.0b4611a0p-34, 0x1.898cc51701b84p-64));
+  EXPECT_LT(sum(internal::kHalfPi1, internal::kHalfPi2, internal::kHalfPiLow), half_pi.lo());
+  EXPECT_LT(half_pi.hi(), sum(internal::kHalfPi1, internal::kHalfPi2, internal::kHalfPiHigh));
   // log 2 lies between a and b iff exp(a) < 2 < exp(b).
   const auto exp_of = [&](double low) {
-    return exp(MpInterval(sum(0x1.62e42fefa2p-1, low, 0), 400));
+    return exp(MpInterval(sum(internal::kLog2, low, 0), 400));
   };
-  EXPECT_LT(exp_of(0x1.9ef35793c7673p-41).hi(), Rational(2));
-  EXPECT_LT(Rational(2), exp_of(0x1.9ef35793c7674p-41).lo());
+  EXPECT_LT(exp_of(internal::kLog2Low).hi(), Rational(2));
+  EXPECT_LT(Rational(2), exp_of(internal::kLog2High).lo());
   // The remainder of the exponential series: exp(3/8) < 2.
   EXPECT_LT(exp(MpInterval(Rational(Integer(3), Integer(8)), 60)).hi(), Rational(2));
 }

@@ -21,11 +21,11 @@ struct FormulaBounds {
 
 /// What is not known of a formula's value.
 struct OpenFormula {
-  std::string
-      message;  ///< a sentence with the part of the formula, its column, and the values of the variables
-  FormulaBounds
-      bounds;  ///< of the number that was to be decided about: a divisor, a root's argument, the value
-  std::uint32_t column = 1;  ///< where that part begins, counted from 1
+  /// A sentence with the part of the formula, its column, and the values of the variables.
+  std::string message;
+  /// Those of the number that was to be decided about: a divisor, a root's argument, the base of a power, the value.
+  FormulaBounds bounds;
+  std::uint32_t column = 1;  ///< where the part begins, counted from 1
   int precision = 0;         ///< the bits with which it was last computed
 };
 
@@ -34,9 +34,8 @@ struct RoundedValue {
   std::optional<OpenFormula> open;  ///< present: the answer is undecided
 };
 struct EnclosedValue {
-  FormulaBounds bounds;
-  std::optional<OpenFormula>
-      open;  ///< present: it is undecided whether there is a value, and there are no bounds
+  FormulaBounds bounds;             ///< of the value
+  std::optional<OpenFormula> open;  ///< present: whether there is a value is undecided
 };
 
 /// Evaluates one formula at many points. Each answer is right or undecided, on every machine the same: first

@@ -58,23 +58,23 @@ class QuickFormula {
 std::optional<std::int64_t> nearest_multiple(const Interval& x);
 
 /// Second tier: nodes whose values are rational numbers, as exact numbers of not more than kMostExactBits bits above
-/// and below the fraction bar. A node without value and fault is to be enclosed.
+/// and below the fraction bar. The third tier asks for their signs, and so finds where there is no value.
 struct ExactNode {
-  std::optional<Rational> value;
-  FormulaFault fault = FormulaFault::kNone;
+  std::optional<Rational> value;  ///< absent: irrational, too long or too large, or does not exist
+  bool is_too_large = false;
 };
 inline constexpr std::uint64_t kMostExactBits = 16384;
 std::vector<ExactNode> exact_nodes(const RealFormula& formula, const FormulaPoint& at);
 /// The integer nearest to x 2^20, ties to even. REQUIRES |x| <= 2^40.
 std::int64_t nearest_multiple(const Rational& x);
 
-/// Third tier: intervals with as many bits as asked for, around exact nodes where there are any. Stops at the first node
-/// that has no value, or of which the intervals do not say whether it has one.
+/// Third tier: intervals with as many bits as asked for, around exact nodes where there are any. Stops at the first
+/// node that has no value, or of which the intervals do not say whether it has one.
 struct WideOutcome {
   FormulaFault fault = FormulaFault::kNone;
   bool is_certain = true;  ///< false: there may be this fault
-  std::uint32_t node = 0;  ///< where it is; the last node if there is none
-  MpInterval value{2};     ///< of this node; or, at a fault, of the operand in question
+  std::uint32_t node = 0;  ///< where it is; without a fault the last node
+  MpInterval value{2};     ///< of this node; where there may be a fault, of the operand in question
 };
 WideOutcome wide_value(const RealFormula& formula, std::span<const ExactNode> exact, int precision);
 

@@ -10,47 +10,37 @@
 namespace veritope::internal {
 namespace {
 
-// pi / 2 and log 2 as sums of numbers with 31, 32 and 40 bits, whose products with an integer of 20 or 12 bits are
-// exact, and an enclosure of the rest. Compared with MPFR in tests/interval/quick_functions_test.cc.
-constexpr double kHalfPi1 = 0x1.921fb544p+0, kHalfPi2 = 0x1.0b4611a0p-34;
-constexpr double kHalfPiLow = 0x1.898cc51701b83p-64, kHalfPiHigh = 0x1.898cc51701b84p-64;
-constexpr double kLog2 = 0x1.62e42fefa2p-1;
-constexpr double kLog2Low = 0x1.9ef35793c7673p-41, kLog2High = 0x1.9ef35793c7674p-41;
-
 constexpr double kMostWaveArgument = 0x1p20;
-constexpr double kMostTurn = 0.8125, kMostRest = 0.375;  // of reduced arguments, in absolute value
+constexpr double kMostTurn = TaylorSeries::kMostTurn, kMostRest = TaylorSeries::kMostRest;
 
 Interval symmetric(double most) { return Interval::from_bounds(-most, most); }
 
-// The coefficients of Taylor series. Each last one is widened by what the remainder adds to it, for arguments up to
-// kMostTurn and kMostRest. REQUIRES a live ScopedUpward.
-struct TaylorSeries {
-  std::array<Interval, 9> sine;       // sin(r) / r in powers of r^2
-  std::array<Interval, 10> cosine;    // cos(r) in powers of r^2
-  std::array<Interval, 16> exponent;  // exp(r) in powers of r
+}  // namespace
 
-  TaylorSeries() {
-    std::array<Interval, 21> inverse_factorial;  // factorials up to 20! are binary64 numbers
-    double factorial = 1;
-    for (std::size_t n = 0; n < inverse_factorial.size(); ++n) {
-      if (n > 0) factorial *= static_cast<double>(n);
-      inverse_factorial[n] = recip(Interval(factorial));
-    }
-    const auto with_sign = [](std::size_t j, const Interval& x) { return j % 2 == 0 ? x : -x; };
-    for (std::size_t j = 0; j < sine.size(); ++j)
-      sine[j] = with_sign(j, inverse_factorial[2 * j + 1]);
-    for (std::size_t j = 0; j < cosine.size(); ++j)
-      cosine[j] = with_sign(j, inverse_factorial[2 * j]);
-    for (std::size_t j = 0; j < exponent.size(); ++j) exponent[j] = inverse_factorial[j];
-    // |sin(r) - series| <= |r|^19 / 19! = |r| (r^2)^8 (r^2 / 19!).
-    const Interval square = sqr(Interval(kMostTurn));
-    sine.back() += symmetric(1) * square * inverse_factorial[19];
-    // |cos(r) - series| <= |r|^20 / 20! = (r^2)^9 (r^2 / 20!).
-    cosine.back() += symmetric(1) * square * inverse_factorial[20];
-    // |exp(r) - series| <= exp(|r|) |r|^16 / 16! <= |r|^15 (2 |r| / 16!), because exp(3/8) < 2.
-    exponent.back() += symmetric(2 * kMostRest) * inverse_factorial[16];
+TaylorSeries::TaylorSeries() {
+  std::array<Interval, 21> inverse_factorial;  // factorials up to 20! are binary64 numbers
+  double factorial = 1;
+  for (std::size_t n = 0; n < inverse_factorial.size(); ++n) {
+    if (n > 0) factorial *= static_cast<double>(n);
+    inverse_factorial[n] = recip(Interval(factorial));
   }
-};
+  const auto with_sign = [](std::size_t j, const Interval& x) { return j % 2 == 0 ? x : -x; };
+  for (std::size_t j = 0; j < sine.size(); ++j)
+    sine[j] = with_sign(j, inverse_factorial[2 * j + 1]);
+  for (std::size_t j = 0; j < cosine.size(); ++j)
+    cosine[j] = with_sign(j, inverse_factorial[2 * j]);
+  for (std::size_t j = 0; j < exponent.size(); ++j) exponent[j] = inverse_factorial[j];
+  // |sin(r) - series| <= |r|^19 / 19! = |r| (r^2)^8 (r^2 / 19!).
+  const Interval square = sqr(Interval(kMostTurn));
+  sine.back() += symmetric(1) * square * inverse_factorial[19];
+  // |cos(r) - series| <= |r|^20 / 20! = (r^2)^9 (r^2 / 20!).
+  cosine.back() += symmetric(1) * square * inverse_factorial[20];
+  // |exp(r) - series| <= exp(|r|) |r|^16 / 16! <= |r|^15 (2 |r| / 16!), because exp(3/8) < 2.
+  exponent.back() += symmetric(2 * kMostRest) * inverse_factorial[16];
+}
+
+namespace {
+
 const TaylorSeries& taylor_series() {
   static const TaylorSeries series;
   return series;
@@ -121,7 +111,7 @@ Interval quick_power(const Interval& x, std::int64_t n) {
   constexpr std::int64_t kMostProducts = 64;
   if (n < -kMostProducts || n > kMostProducts) return pown(x, n);
   if (n < 0) return recip(quick_power(x, -n));
-  Interval power(1.0), square = n % 2 == 0 ? abs(x) : x;
+  Interval power(1.0), square = x;
   for (std::int64_t rest = n; rest > 0; rest /= 2) {
     if (rest % 2 != 0) power *= square;
     if (rest > 1) square = sqr(square);

@@ -121,14 +121,11 @@ WideOutcome wide_value(const RealFormula& formula, std::span<const ExactNode> ex
       values.push_back(MpInterval::pi(precision));
       continue;
     }
-    WideResult step = [&]() -> WideResult {
-      if (node.op <= FormulaOp::kRandom) return {MpInterval(precision), exact[i].fault};
-      const WideOperand a{values[node.a], exact[node.a].value},
-          b{values[node.b], exact[node.b].value};
-      WideResult result = wide_step(node.op, a, b);
-      return result.fault == FormulaFault::kNone ? limited(std::move(result.value)) : result;
-    }();
-    if (exact[i].fault != FormulaFault::kNone) step.fault = exact[i].fault, step.is_certain = true;
+    if (exact[i].is_too_large) return {FormulaFault::kTooLarge, true, i, MpInterval(precision)};
+    const WideOperand a{values[node.a], exact[node.a].value},
+        b{values[node.b], exact[node.b].value};
+    WideResult step = wide_step(node.op, a, b);
+    if (step.fault == FormulaFault::kNone) step = limited(std::move(step.value));
     if (step.fault != FormulaFault::kNone)
       return {step.fault, step.is_certain, i, std::move(step.value)};
     values.push_back(std::move(step.value));

@@ -72,6 +72,10 @@ TEST(FormulaEvaluator, ValuesAreTheGoldenOnesInEveryTier) {
       {"1e12/3", 349525333333333333},
       {"(3/7)^(1/5)", 885125},
       {"rand(3)*x", 92387},
+      {"10^(1/3)", 2259089},
+      // pi between two binary64 numbers
+      {"(pi - 3.141592653589793115997963468544185161590576171875)*1e12", 128},
+      {"(pi - 3.141592653589793560087173318606801331043243408203125)*1e12", -337},
       {"2^40", std::int64_t{1} << 60},
       {"-2^40", -(std::int64_t{1} << 60)},
       {"n", 3 << 20},
@@ -98,6 +102,10 @@ TEST(FormulaEvaluator, TiesGoToTheEvenMultipleInEveryTier) {
       {"exp(x - 1/3)*3/2^21", 2},  // exp(0)
       {"(sin(x*3 - 1) + cos(3*x - 1))/2^21*5", 2},
       {"max(3/2^21, sin(x) - 2)", 2},
+      {"(sin(x*3 - 1) + x)*9/2^21", 2},
+      {"cos(x*3 - 1)*x*9/2^21", 2},
+      {"exp(x*3 - 1)*x*9/2^21", 2},
+      {"((x*3 - 1)^0.5 + x)*9/2^21", 2},
       {"rand(0) + 1/2^21", 317876},  // 317875.5
       {"rand(2)*0 + 2^-21", 0},
   };
@@ -130,6 +138,8 @@ TEST(FormulaEvaluator, NamesThePartTheColumnAndTheVariablesWhereThereIsNoValue) 
       "error: the value of \"exp(28*z)\" (column 2) exceeds 2^40 in absolute value at z = 5/4");
   expect_answer("2^40 + 1e-1000",
                 "error: the value of \"2^40 + 1e-1000\" (column 1) exceeds 2^40 in absolute value");
+  expect_answer("-2^40 - 1",
+                "error: the value of \"-2^40 - 1\" (column 1) exceeds 2^40 in absolute value");
   expect_answer("10^1e12",
                 "error: the value of \"10^1e12\" (column 1) exceeds 2^40 in absolute value");
   expect_answer("1/(rand(1)*0)",
@@ -192,6 +202,7 @@ TEST(FormulaEvaluator, SaysUndecidedWhereNoNumberOfBitsDecides) {
       {"(-2)^(sin(x)^2 + cos(x)^2)",
        "a negative number is raised to a power that is not an integer in"},
       {"(sin(x) - sin(x))^-1", "0 is raised to a negative power in"},
+      {"(sin(x) - sin(x))^0.5", "a negative number is raised to a power that is not an integer in"},
       {"0^(sin(x) - sin(x))", "0 is raised to a negative power in"},
       {"2^40*(sin(x)^2 + cos(x)^2)", "exceeds 2^40 in absolute value at x = 1/3;"},
   };
@@ -267,6 +278,9 @@ TEST(FormulaEvaluator, LongFractionsAreLeftToIntervals) {
       "(column 1) lies in the middle between two multiples of 2^-20; the number in question lies "
       "in "
       "[1.4305114746093748e-06, 1.430511474609375e-06]");
+  // Products of numbers of 12,680 bits.
+  EXPECT_TRUE(answer("3/2^21 - (1/3)^8000*(1/3)^8000", Tier::kBinary64).starts_with("open: "));
+  EXPECT_EQ(answer("3/2^21 - (1/3)^8000", Tier::kBinary64), "1");
   const std::vector<Rational> fine = {Rational(1) / Rational(power(Integer(3), 20000)), Rational(0),
                                       Rational(0), Rational(0)};
   expect_answer("x", "0", fine);

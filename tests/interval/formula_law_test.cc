@@ -174,7 +174,7 @@ class Real400 {
   mpfr_t v_;
 };
 
-// None where a part has no value, nearly has none, or nearly is beyond 2^40.
+// No value where a part has no value, is close to having none, or is close to 2^40 or beyond.
 std::optional<Real400> value_with_400_bits(const Tree& tree) {
   if (tree.op == '#') return Real400(tree.number);
   std::vector<Real400> v;
@@ -218,7 +218,7 @@ std::optional<Real400> value_with_400_bits(const Tree& tree) {
   return out;
 }
 
-std::string told(std::uint64_t seed, const std::string& text, const Drawn& drawn) {
+std::string described(std::uint64_t seed, const std::string& text, const Drawn& drawn) {
   return std::to_string(seed) + ": " + text + " at " + drawn.values[0].to_string() + ", " +
          drawn.values[1].to_string() + ", " + drawn.values[2].to_string();
 }
@@ -231,21 +231,21 @@ TEST(FormulaLaw, RationalFormulasAreRoundedAsExactFractionsAre) {
     const Tree tree = drawn.draw(4, true);
     const std::string text = drawn.text(tree, 0);
     const Result<RealFormula> formula = parse_formula(text, drawn.names);
-    ASSERT_TRUE(formula.has_value()) << told(seed, text, drawn) << formula.error().message;
+    ASSERT_TRUE(formula.has_value()) << described(seed, text, drawn) << formula.error().message;
     const std::optional<Rational> exact = exact_value(tree);
     for (const auto first : {FormulaEvaluator::Tier::kBinary64, FormulaEvaluator::Tier::kExact}) {
       const Result<RoundedValue> value =
           FormulaEvaluator(*formula, first).round_to_multiple(drawn.values);
-      ASSERT_EQ(value.has_value(), exact.has_value()) << told(seed, text, drawn);
+      ASSERT_EQ(value.has_value(), exact.has_value()) << described(seed, text, drawn);
       if (!exact) continue;
-      ASSERT_FALSE(value->open.has_value()) << told(seed, text, drawn) << value->open->message;
+      ASSERT_FALSE(value->open.has_value()) << described(seed, text, drawn) << value->open->message;
       // |2 (v 2^20 - multiple)| <= 1, and where it is 1, the multiple is even.
       Rational twice =
           *exact * Rational(1 << 21) - Rational(value->multiple) - Rational(value->multiple);
       if (twice < Rational(0)) twice = Rational(0) - twice;
-      ASSERT_LE(twice, Rational(1)) << told(seed, text, drawn);
+      ASSERT_LE(twice, Rational(1)) << described(seed, text, drawn);
       if (twice == Rational(1)) {
-        ASSERT_EQ(value->multiple % 2, 0) << told(seed, text, drawn);
+        ASSERT_EQ(value->multiple % 2, 0) << described(seed, text, drawn);
       }
       ties += twice == Rational(1) ? 1 : 0;
     }
@@ -263,13 +263,13 @@ TEST(FormulaLaw, AllFormulasAreRoundedAndEnclosedAs400BitsSay) {
     const Tree tree = drawn.draw(4, false);
     const std::string text = drawn.text(tree, 0);
     const Result<RealFormula> formula = parse_formula(text, drawn.names);
-    ASSERT_TRUE(formula.has_value()) << told(seed, text, drawn) << formula.error().message;
+    ASSERT_TRUE(formula.has_value()) << described(seed, text, drawn) << formula.error().message;
     std::optional<Real400> nearly = value_with_400_bits(tree);
     for (const auto first : {FormulaEvaluator::Tier::kBinary64, FormulaEvaluator::Tier::kWide}) {
       FormulaEvaluator evaluator(*formula, first);
       const Result<RoundedValue> value = evaluator.round_to_multiple(drawn.values);
       if (!nearly) continue;  // whatever it says, it does not fail
-      ASSERT_TRUE(value.has_value()) << told(seed, text, drawn) << value.error().message;
+      ASSERT_TRUE(value.has_value()) << described(seed, text, drawn) << value.error().message;
       if (value->open) continue;
       ++compared;
       // 2^-150 is far more than the errors of 400 bits, which matter where the value is a tie.
@@ -277,13 +277,13 @@ TEST(FormulaLaw, AllFormulasAreRoundedAndEnclosedAs400BitsSay) {
       mpfr_sub(off.get(), off.get(), exact.get(), MPFR_RNDN);
       mpfr_abs(off.get(), off.get(), MPFR_RNDN);
       mpfr_sub_d(off.get(), off.get(), 0x1p-150, MPFR_RNDN);
-      ASSERT_LE(mpfr_cmp_d(off.get(), 0x1p-21), 0) << told(seed, text, drawn);
+      ASSERT_LE(mpfr_cmp_d(off.get(), 0x1p-21), 0) << described(seed, text, drawn);
       const FormulaBounds bounds = evaluator.enclose(drawn.values, 0, 120)->bounds;
       Real400 lo(bounds.lo - Rational::power_of_two(-150)),
           hi(bounds.hi + Rational::power_of_two(-150));
       ASSERT_TRUE(mpfr_lessequal_p(lo.get(), nearly->get()) &&
                   mpfr_lessequal_p(nearly->get(), hi.get()))
-          << told(seed, text, drawn);
+          << described(seed, text, drawn);
     }
   }
   EXPECT_GT(compared, scaled(3000));
@@ -301,11 +301,11 @@ TEST(FormulaLaw, AllTiersAgreeOnFormulasWithTiesAndIrrationalNumbers) {
       return value->open ? value->open->message : std::to_string(value->multiple);
     };
     const std::string first = said(FormulaEvaluator::Tier::kBinary64);
-    ASSERT_EQ(first, said(FormulaEvaluator::Tier::kExact)) << told(seed, text, drawn);
+    ASSERT_EQ(first, said(FormulaEvaluator::Tier::kExact)) << described(seed, text, drawn);
     // Intervals alone cannot decide a tie of a fraction that has no finite binary form.
     const std::string last = said(FormulaEvaluator::Tier::kWide);
     if (!last.starts_with("it is undecided")) {
-      ASSERT_EQ(first, last) << told(seed, text, drawn);
+      ASSERT_EQ(first, last) << described(seed, text, drawn);
     }
   }
 }

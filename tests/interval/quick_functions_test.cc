@@ -91,20 +91,52 @@ TEST(QuickFunctions, PowersContainTheTightestIntervals) {
   }
 }
 
-// The numbers that stand in the source file.
+// Remainders by Lagrange: |r|^19 / 19! of the sine, |r|^20 / 20! of the cosine, exp(|r|) |r|^16 / 16! of the exponential,
+// divided by the power of r that the last coefficient has. Dropped, they would hide below roundings of random tests.
+TEST(QuickFunctions, LastCoefficientsContainTheRemainders) {
+  const auto inverse_factorial = [](std::int64_t n) {
+    Rational out(1);
+    for (std::int64_t k = 2; k <= n; ++k) out /= Rational(k);
+    return out;
+  };
+  const auto expect_between = [](const Interval& c, const Rational& least, const Rational& most) {
+    EXPECT_TRUE(contains(c, least) && contains(c, most)) << to_string(c);
+    const Rational width = Rational::from_double(c.hi()) - Rational::from_double(c.lo());
+    EXPECT_LT(width, most - least + abs(most) * Rational::power_of_two(-48));
+  };
+  const internal::TaylorSeries series = [] {
+    const ScopedUpward upward;
+    return internal::TaylorSeries();
+  }();
+  const Rational turn = Rational::from_double(internal::TaylorSeries::kMostTurn),
+                 rest = Rational::from_double(internal::TaylorSeries::kMostRest);
+  const auto expect_series = [&](const auto& coefficients, bool alternates, int first, int step,
+                                 const Rational& remainder) {
+    for (std::size_t j = 0; j < coefficients.size(); ++j) {
+      const Rational size = inverse_factorial(first + step * static_cast<int>(j));
+      const Rational exact = alternates && j % 2 != 0 ? -size : size;
+      const Rational slack = j + 1 == coefficients.size() ? remainder : Rational(0);
+      expect_between(coefficients[j], exact - slack, exact + slack);
+    }
+  };
+  expect_series(series.sine, true, 1, 2, turn * turn * inverse_factorial(19));
+  expect_series(series.cosine, true, 0, 2, turn * turn * inverse_factorial(20));
+  expect_series(series.exponent, false, 0, 1, Rational(2) * rest * inverse_factorial(16));
+}
+
 TEST(QuickFunctions, ConstantsEncloseHalfPiAndTheLogarithmOfTwo) {
   const auto sum = [](double a, double b, double c) {
     return Rational::from_double(a) + Rational::from_double(b) + Rational::from_double(c);
   };
   const MpInterval half_pi = MpInterval::pi(400) / MpInterval(Rational(2), 400);
-  EXPECT_LT(sum(0x1.921fb544p+0, 0x1.0b4611a0p-34, 0x1.898cc51701b83p-64), half_pi.lo());
-  EXPECT_LT(half_pi.hi(), sum(0x1.921fb544p+0, 0x1.0b4611a0p-34, 0x1.898cc51701b84p-64));
+  EXPECT_LT(sum(internal::kHalfPi1, internal::kHalfPi2, internal::kHalfPiLow), half_pi.lo());
+  EXPECT_LT(half_pi.hi(), sum(internal::kHalfPi1, internal::kHalfPi2, internal::kHalfPiHigh));
   // log 2 lies between a and b iff exp(a) < 2 < exp(b).
   const auto exp_of = [&](double low) {
-    return exp(MpInterval(sum(0x1.62e42fefa2p-1, low, 0), 400));
+    return exp(MpInterval(sum(internal::kLog2, low, 0), 400));
   };
-  EXPECT_LT(exp_of(0x1.9ef35793c7673p-41).hi(), Rational(2));
-  EXPECT_LT(Rational(2), exp_of(0x1.9ef35793c7674p-41).lo());
+  EXPECT_LT(exp_of(internal::kLog2Low).hi(), Rational(2));
+  EXPECT_LT(Rational(2), exp_of(internal::kLog2High).lo());
   // The remainder of the exponential series: exp(3/8) < 2.
   EXPECT_LT(exp(MpInterval(Rational(Integer(3), Integer(8)), 60)).hi(), Rational(2));
 }

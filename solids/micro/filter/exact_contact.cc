@@ -127,7 +127,10 @@ std::optional<ExactControl> control_of(const BezierSurface<Rational>& piece) {
 
 class FacetSeparator {
  public:
-  FacetSeparator(const ExactControl& control) : control_(control) {
+  // Of two half-spaces with one border that hold the piece, the one against the candidate's direction is preferred if
+  // `prefers_reversed`.
+  FacetSeparator(const ExactControl& control, bool prefers_reversed)
+      : control_(control), prefers_reversed_(prefers_reversed) {
     Box3d box = empty_box();
     for (const Point3d& p : control.approx) add(p, &box);
     tolerance_ = 0x1p-30 * (box.hi[0] - box.lo[0] + box.hi[1] - box.lo[1] + box.hi[2] - box.lo[2]);
@@ -162,7 +165,7 @@ class FacetSeparator {
     for (const ExactPoint& e : edges_) candidates.push_back(exact_cross(normal_, e));
     std::optional<ExactHalfSpace> touching;
     for (const ExactPoint& n : candidates)
-      for (const bool is_reversed : {false, true}) {
+      for (const bool is_reversed : {prefers_reversed_, !prefers_reversed_}) {
         const ExactPoint d = is_reversed ? ExactPoint{-n[0], -n[1], -n[2]} : n;
         if (!may_separate(approx_of(d), facet)) continue;
         Rational most = exact_dot(d, q[0]);
@@ -179,6 +182,13 @@ class FacetSeparator {
     return Gap::kTouching;
   }
   const std::vector<ExactHalfSpace>& half_spaces() const { return half_spaces_; }
+  // Whether the piece lies in the border of a half-space, so that the other side is as good.
+  bool has_choice() const {
+    return std::any_of(half_spaces_.begin(), half_spaces_.end(), [&](const ExactHalfSpace& h) {
+      return std::all_of(control_.points.begin(), control_.points.end(),
+                         [&](const ExactPoint& p) { return h.height(p).sign() == Sign::kZero; });
+    });
+  }
 
  private:
   // Whether the plane separates them, or nearly so: planes that cut deeply need no rationals.
@@ -192,6 +202,7 @@ class FacetSeparator {
   }
 
   const ExactControl& control_;
+  const bool prefers_reversed_;
   double tolerance_ = 0;
   std::vector<ExactPoint> edges_;
   ExactPoint normal_;
@@ -277,27 +288,36 @@ BezierSurface<Rational> ExactPatches::piece(const TilePiece& piece) {
 PieceSide exact_side(const TileFilter::Model& model, const TilePiece& piece,
                      const BezierSurface<Rational>& exact, std::span<const std::uint32_t> facets,
                      std::optional<ExactPoint>* contact) {
+  PieceSide out;
   const std::optional<ExactControl> control = control_of(exact);
-  if (!control) return PieceSide::kOpen;
-  FacetSeparator separator(*control);
+  if (!control) return out;
   std::vector<std::uint32_t> touching;
-  for (const std::uint32_t f : facets) {
-    const FacetSeparator::Gap gap = separator.separate(model.corners(f));
-    if (gap == FacetSeparator::Gap::kNone) return PieceSide::kOpen;
-    if (gap == FacetSeparator::Gap::kTouching) touching.push_back(f);
+  for (const bool prefers_reversed : {false, true}) {
+    FacetSeparator separator(*control, prefers_reversed);
+    touching.clear();
+    for (const std::uint32_t f : facets) {
+      const FacetSeparator::Gap gap = separator.separate(model.corners(f));
+      if (gap == FacetSeparator::Gap::kNone) return out;
+      if (gap == FacetSeparator::Gap::kTouching) touching.push_back(f);
+    }
+    out.is_apart = touching.empty();
+    out.is_decided = out.is_decided || out.is_apart;
+    if (out.is_apart) return out;
+    std::sort(touching.begin(), touching.end());
+    const std::optional<ExactPoint> z =
+        point_beside(model, piece, *control, separator.half_spaces(), touching);
+    const PointAnswer answer = z ? model.classifier().classify(*z) : PointAnswer{};
+    if (z && !answer.is_on()) {
+      out.is_decided = true;
+      (answer.winding != 0 ? out.is_near_inside : out.is_near_outside) = true;
+    }
+    if (!separator.has_choice()) break;
   }
-  if (touching.empty()) return PieceSide::kApart;
-  std::sort(touching.begin(), touching.end());
-  const std::optional<ExactPoint> z =
-      point_beside(model, piece, *control, separator.half_spaces(), touching);
-  if (!z) return PieceSide::kOpen;
-  const PointAnswer answer = model.classifier().classify(*z);
-  if (answer.is_on()) return PieceSide::kOpen;
-  for (const ExactPoint& p : control->corners)
-    if (!*contact && model.classifier().classify(p).is_on()) *contact = p;
+  for (std::size_t i = 0; i < 4 && !*contact; ++i)
+    if (model.classifier().classify(control->corners[i]).is_on()) *contact = control->corners[i];
   for (std::size_t i = 0; i < touching.size() && control->is_flat && !*contact; ++i)
     *contact = common_point(*control, model.corners(touching[i]));
-  return answer.winding != 0 ? PieceSide::kInside : PieceSide::kOff;
+  return out;
 }
 
 }  // namespace veritope::internal

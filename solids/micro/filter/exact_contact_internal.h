@@ -2,6 +2,7 @@
 // solids/micro/filter/exact_contact_internal.h: pieces of a tile that touch facets, in rational numbers. Internal to
 // solids/micro/filter.
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,9 +12,14 @@
 
 namespace veritope::internal {
 
-/// What is known of a piece of the tile's surface. Inside and off say: every point of the piece is a limit of points in
-/// the interior of M, or off M.
-enum class PieceSide : std::uint8_t { kApart, kInside, kOff, kOpen };
+/// What is known of a piece of the tile's surface. Both may hold of a piece that lies in the plane of a facet.
+struct PieceSide {
+  bool is_decided = false;
+  bool is_apart = false;  ///< from the surface of M
+  bool is_near_inside =
+      false;  ///< every point of the piece is a limit of points in the interior of M
+  bool is_near_outside = false;  ///< every point of the piece is a limit of points off M
+};
 
 /// The exact map of a tile's patches in one cell, composed on demand.
 class ExactPatches {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/micro/filter/tile_filter.h: does the tile of a cell lie in a solid that a mesh bounds? FilterTilesToM of the
-// microstructure paper, with proofs. Theory: docs/THEORY.md, microstructures.  Design:
-// docs/design/0074-filtering-tiles.md.
+// microstructure paper, with proofs. Design: docs/design/0074-filtering-tiles.md.
 #pragma once
 #include <array>
 #include <memory>

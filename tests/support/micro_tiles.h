@@ -72,8 +72,8 @@ inline Tile box(const Point& lo, const Point& hi) {
   return {faces_of(h), {volume_of(h)}, {h}};
 }
 
-/// A node of half-width `node` in the middle with an arm to each wall, which ends in a cap of half-width caps[2 a + end]
-/// at the wall `end` of axis a. Arms are frusta (degree 1), or have the profile (node, node, cap, cap) of degree 3.
+/// A node of half-width `node` in the middle with an arm to each wall, which ends in a cap of half-width
+/// caps[2 a + end] at the wall `end` of axis a. Arms are frusta (degree 1), or have the profile (node, node, cap, cap) of degree 3.
 /// 30 patches, outward.
 inline Tile jack(const Rational& node, const std::array<Rational, 6>& caps, int degree) {
   VT_CHECK(degree == 1 || degree == 3, "a jack has the degree 1 or 3");
@@ -143,7 +143,7 @@ inline TileShape shape_of(const Tile& tile) {
   return std::move(TileShape::make(tile.patches).value());
 }
 
-/// The map of these degrees whose control point (i, j, k) is point(i/l, j/m, k/n), with the weight weight(...) if given.
+/// The map of degrees (l, m, n) whose control point (i, j, k) is point(i/l, j/m, k/n).
 template <typename AtParameter>
 BezierVolume<Rational> cage(std::array<int, 3> degrees, AtParameter point) {
   BezierVolume<Rational> out(degrees, 3, false);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/micro_truth.h: how tiles of flat patches in affine cells lie with respect to convex and block models, in
-// rational numbers. Shares no line with solids/micro/filter.
+// tests/support/micro_truth.h: how tiles of flat patches in affine cells lie with respect to convex and block models,
+// in rational numbers. Shares no line with solids/micro/filter.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -344,8 +344,8 @@ inline RVec random_surface_point(Random& random, const TriangleMesh& mesh) {
   return at;
 }
 
-/// Half of all cells have columns on the lattice of quarters, and half of these have a corner of the tile on the surface,
-/// in some coordinates at least.
+/// Half of all cells have columns on the lattice of quarters, and half of these have a corner of the tile on the
+/// surface, in some coordinates at least.
 inline Case random_case(Random& random, bool has_blocks) {
   Case out;
   out.solid = has_blocks ? random_blocks(random) : random_convex(random);

@@ -127,7 +127,8 @@ MapBounds CellNet::bounds() const {
     }
     return out;
   }
-  // f = X / w with f = 0 near the middle of the hull: f_i = (X_i - f w_i) / w, f_ij = (X_ij - f_i w_j - f_j w_i - f w_ij) / w.
+  // For f = X / w, moved so that the middle of the hull is the origin:
+  // f_i = (X_i - f w_i) / w, f_ij = (X_ij - f_i w_j - f_j w_i - f w_ij) / w.
   const auto weights = net_.component(3);
   Interval w = weights[0];
   for (const Interval& x : weights) w = veritope::hull(w, x);

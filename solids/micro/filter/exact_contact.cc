@@ -127,8 +127,8 @@ std::optional<ExactControl> control_of(const BezierSurface<Rational>& piece) {
 
 class FacetSeparator {
  public:
-  // Of two half-spaces with one border that hold the piece, the one against the candidate's direction is preferred if
-  // `prefers_reversed`.
+  // If both half-spaces of a border hold the piece, `prefers_reversed` chooses the one against the candidate's
+  // direction.
   FacetSeparator(const ExactControl& control, bool prefers_reversed)
       : control_(control), prefers_reversed_(prefers_reversed) {
     Box3d box = empty_box();

@@ -39,8 +39,8 @@ class ExactPatches {
 /// Whether planes through facets, along the axes, or along an edge of the piece and one of the facet, separate the hull
 /// of the piece's control points from each of the facets, perhaps touching both; and on which side of M the piece lies
 /// then. `contact` is set to a point that the piece and a facet have in common, if one is found.
-/// The rule. Let the piece's hull H lie in closed half-spaces h_i, with the facets that are not strictly apart in their
-/// complements' closures, and let z be a point of all open h_i such that all other facets miss the hull of H and z. Then
+/// The rule. Let the piece's hull H lie in closed half-spaces h_i, the facets that are not strictly apart in the closures
+/// of their complements, and let z be a point of all open h_i such that all other facets miss the hull of H and z. Then
 /// the half-open segments from H to z, without H, miss the surface of M, and so every point of H is a limit of points
 /// that lie on z's side.
 /// @cost rationals of the composed degree: for few pieces

@@ -28,7 +28,7 @@ Value3 TileWalk::note(const TilePiece& piece, std::size_t corner) {
   return value;
 }
 
-// The same without boxes. REQUIRES a point off the surface of M.
+// Notes where a point lies, in rationals. REQUIRES a point off the surface of M.
 void TileWalk::note_exactly(const TilePoint& at) {
   const PointAnswer answer = model_.classifier().classify(cell_.image(tile(), at));
   VT_CHECK(!answer.is_on(), "a point of a part that misses the surface lies on it");

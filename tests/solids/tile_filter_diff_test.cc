@@ -51,5 +51,49 @@ TEST(TileFilterDiff, ExactPointsInCurvedCellsContradictNoStatus) {
   }
 }
 
+// Axes of the cell exchanged and reversed, degrees raised, the mesh relabelled, all coordinates scaled by a power of two.
+TEST(TileFilterLaw, OtherDescriptionsOfACellAreOneQuestion) {
+  for (int n = 0; n < scaled(60); ++n) {
+    Random random(kTileSeed + static_cast<std::uint64_t>(n));
+    const Case c =
+        n % 3 == 0 ? random_curved_case(random, n % 2 != 0) : random_case(random, n % 2 != 0);
+    const TileFilter filter = std::move(TileFilter::make(c.solid.mesh).value());
+    const TileShape shape = micro_tiles::shape_of(c.tile);
+    const CellStatus status = filter.status({&c.map}, shape);
+    const std::string where = "seed " + std::to_string(kTileSeed) + " case " + std::to_string(n);
+
+    std::array<std::size_t, 3> order{0, 1, 2};
+    for (std::uint64_t i = random.below(6); i > 0; --i)
+      std::next_permutation(order.begin(), order.end());
+    BezierVolume<Rational> turned = permuted(c.map, order);
+    const std::size_t axis = random.below(3);
+    turned = reversed(turned, axis);
+    micro_tiles::Tile tile = c.tile;
+    for (auto& patch : tile.patches) {
+      const auto old = patch;
+      for (std::size_t a = 0; a < 3; ++a) {
+        const auto from = old.component(static_cast<int>(order[a]));
+        const auto to = patch.component(static_cast<int>(a));
+        for (std::size_t k = 0; k < to.size(); ++k)
+          to[k] = a == axis ? Rational(1) - from[k] : from[k];
+      }
+    }
+    EXPECT_EQ(filter.status({&turned}, micro_tiles::shape_of(tile)), status) << where;
+
+    BezierVolume<Rational> raised = elevate(c.map, axis, 2);
+    tile = c.tile;
+    for (auto& patch : tile.patches) patch = elevate(patch, random.below(2), 1);
+    EXPECT_EQ(filter.status({&raised}, micro_tiles::shape_of(tile)), status) << where;
+
+    const int exponent = static_cast<int>(random.between(-40, 40));
+    const TriangleMesh mesh = shapes::relabelled(shapes::scaled(c.solid.mesh, exponent), random);
+    BezierVolume<Rational> scaled_map = c.map;
+    for (int k = 0; k < 3; ++k)
+      for (Rational& x : scaled_map.component(k)) x *= Rational::power_of_two(exponent);
+    const TileFilter other = std::move(TileFilter::make(mesh).value());
+    EXPECT_EQ(other.status({&scaled_map}, shape), status) << where;
+  }
+}
+
 }  // namespace
 }  // namespace veritope

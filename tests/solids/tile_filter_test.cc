@@ -246,7 +246,7 @@ TEST(TileFilter, LimitsEndInUndecided) {
       micro_tiles::shape_of(micro_tiles::box({q(0), q(0), q(0)}, {q(1), q(1), q(1)}));
   const auto map = unit_cell();
   TileFilterLimits limits;
-  limits.max_exact_pieces = 0;
+  limits.max_exact_points = 0;
   limits.max_pieces = 200;
   EXPECT_EQ(filter.find({&map}, tile, limits).status, CellStatus::kUndecided);
 }

@@ -387,7 +387,8 @@ inline Case random_case(Random& random, bool has_blocks) {
 
 /// A cell of a cage of degree 1 to 3 in each axis, near the surface: an affine image of the unit cube whose control
 /// points were moved by less than 1/18, so that the map stays one to one: its derivative differs from the identity by
-/// less than 1 in every row sum. Its tile has the degree 1 or 3; the affine map is only where the cell lies.
+/// less than 1 in every row sum. A third of the maps are rational: a projective map comes after. The tile has the degree
+/// 1 or 3; the affine map is only where the cell lies.
 inline Case random_curved_case(Random& random, bool has_blocks) {
   Case out;
   out.solid = has_blocks ? random_blocks(random) : random_convex(random);
@@ -408,10 +409,29 @@ inline Case random_curved_case(Random& random, bool has_blocks) {
   }
   std::array<int, 3> degrees;
   for (int& d : degrees) d = static_cast<int>(random.between(1, 3));
+  std::vector<RVec> moved;
   out.map = micro_tiles::cage(degrees, [&](RVec u) {
     for (Rational& x : u) x += random_fraction(random, -55, 55, 1000);
+    moved.push_back(u);
     return out.cell(u);
   });
+  if (random.below(3) != 0) return out;
+  // A projective map after it, which fixes the middle m: x -> m + (x - m) / w, w = 1 + a . (x - m) in the unit cube's
+  // coordinates.
+  RVec a;
+  for (Rational& x : a) x = random_fraction(random, -10, 10, 40);
+  const RVec middle{micro_tiles::half(), micro_tiles::half(), micro_tiles::half()};
+  const RVec fixed = out.cell(middle);
+  BezierVolume<Rational> rational(degrees, 4, true);
+  for (std::size_t n = 0; n < moved.size(); ++n) {
+    Rational w(1);
+    for (std::size_t c = 0; c < 3; ++c) w += a[c] * (moved[n][c] - middle[c]);
+    for (std::size_t c = 0; c < 3; ++c)
+      rational.component(static_cast<int>(c))[n] =
+          out.map.component(static_cast<int>(c))[n] + fixed[c] * (w - Rational(1));
+    rational.component(3)[n] = w;
+  }
+  out.map = std::move(rational);
   return out;
 }
 

@@ -15,9 +15,9 @@ namespace veritope {
 
 /// What a cell may cost before it is undecided.
 struct TileFilterLimits {
-  int max_pieces = 20000;     ///< parts of patches, all together
-  int max_depth = 90;         ///< halvings of one patch
-  int max_exact_pieces = 64;  ///< parts whose contact with facets is examined in rationals
+  int max_pieces = 20000;       ///< parts of patches, all together
+  int max_depth = 90;           ///< halvings of one patch
+  int max_exact_points = 5000;  ///< control points of parts whose contact is examined in rationals
 };
 
 /// The part [lo, hi] of the domain of a map of [0,1]^3 into space, rational or polynomial: the tile in [0,1]^3 is first

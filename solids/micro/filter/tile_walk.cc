@@ -101,10 +101,18 @@ bool TileWalk::settle(OpenPiece* open) {
     apart_.push_back(open->piece);
     return true;
   }
-  if (num_exact_ >= limits_.max_exact_pieces || !looks_like_contact(*open)) return false;
-  ++num_exact_;
-  const PieceSide side =
-      exact_side(model_, open->piece, exact_.piece(open->piece), open->facets, &contact_);
+  if (num_exact_ >= limits_.max_exact_points || !looks_like_contact(*open)) return false;
+  PieceSide side;
+  const auto examine = [&](const std::optional<ExactControl>& control) {
+    if (!control) return;
+    num_exact_ += static_cast<int>(control->points.size());
+    side = exact_side(model_, open->piece, *control, open->facets, &contact_);
+  };
+  examine(exact_.around(open->piece));
+  const auto num_points = exact_.num_points(open->piece.patch);
+  if (!side.is_decided && num_points + static_cast<std::size_t>(num_exact_) <=
+                              static_cast<std::size_t>(limits_.max_exact_points))
+    examine(exact_.control(open->piece));
   if (!side.is_decided) return false;
   if (side.is_apart) {
     apart_.push_back(open->piece);

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "robust/base/fp_guard.h"
 #include "solids/micro/filter/exact_contact_internal.h"
 #include "solids/micro/filter/separation_internal.h"
 #include "splines/bezier_domain.h"

@@ -41,6 +41,7 @@ class TilePieces {
  public:
   TilePieces(const CellNet& net, const TileShape& tile);
 
+  const CellNet& net() const { return net_; }
   const TileShape& tile() const { return tile_; }
   /// Contain the images of the tile's corners.
   const std::vector<Box3>& corners() const { return corners_; }

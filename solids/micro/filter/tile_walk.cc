@@ -241,6 +241,7 @@ CellFinding TileWalk::finish() {
 }
 
 CellFinding TileWalk::run() {
+  if (!is_finite(pieces_.net().hull())) return found(CellStatus::kUndecided);
   note_corners();
   if (is_crossing()) return found(CellStatus::kCrossing);
   if (!pieces_.bound()) return found(CellStatus::kUndecided);

@@ -18,7 +18,7 @@ struct NearestPoint {
   ExactPoint point;
   MeshFeature feature = MeshFeature::kFacet;
   std::uint32_t facet = 0;  ///< the least facet that has the point at this distance
-  /// Of that facet: which corner (kVertex), or the corner where the edge begins (kEdge); else 0.
+  /// The corner of that facet that the point is (kVertex), or where the edge begins (kEdge); else 0.
   std::uint32_t corner = 0;
   friend bool operator==(const NearestPoint&, const NearestPoint&) = default;
 };

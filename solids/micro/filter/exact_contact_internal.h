@@ -56,12 +56,12 @@ class ExactPatches {
 };
 
 /// Whether planes through facets, along the axes, or along an edge of the piece and one of the facet, separate the hull
-/// of the control points from each of the facets, perhaps touching both; and on which side of M the piece lies
-/// then. `contact` is set to a point that the piece and a facet have in common, if one is found.
-/// The rule. Let the piece's hull H lie in closed half-spaces h_i, the facets that are not strictly apart in the closures
-/// of their complements, and let z be a point of all open h_i such that all other facets miss the hull of H and z. Then
-/// the half-open segments from H to z, without H, miss the surface of M, and so every point of H is a limit of points
-/// that lie on z's side.
+/// of the control points from each of the facets, perhaps touching both; and on which side of M the piece lies then.
+/// `contact` is set to a point that the piece and a facet have in common, if one is found.
+/// The rule. Let the hull H of the control points lie in closed half-spaces h_i, the facets that are not strictly apart
+/// from H in the closures of their complements, and let z be a point of all open h_i such that all other facets miss
+/// the hull of the piece and z. Then a segment from a point of the piece to z, without its begin, misses the surface of
+/// M, and so every point of the piece is a limit of points that lie on z's side.
 /// @cost rationals: for few pieces
 PieceSide exact_side(const TileFilter::Model& model, const TilePiece& piece,
                      const ExactControl& control, std::span<const std::uint32_t> facets,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/soak_micro_filter.cc: --cases N --curved N --points N --seed S. Random tiles (jacks and boxes) in random cells
-// near the surface of random solids. In affine cells, against convex solids and against blocks with notches, tunnels
-// and bubbles, the truth is known in fractions, witnesses included. In curved cells, which are one to one by
+// near the surface of random solids. In affine cells, against convex solids, convex bubbles, and blocks with notches,
+// tunnels and bubbles, the truth is known in fractions, witnesses included. In curved cells, which are one to one by
 // construction, exact points of the tile must not contradict the status. One JSON line a kind: wrong results, and those
 // that are undecided although nothing touches; the solid, cell and tile of a wrong one go to standard error.
 #include <array>

@@ -89,10 +89,12 @@ struct Facts {
   }
 };
 
-/// A solid whose truth is known: convex, or the union of unit cubes.
+/// A solid whose truth is known: convex, a large box without such a solid, or the union of unit cubes.
 struct Solid {
   TriangleMesh mesh;
   std::optional<Convex> convex;
+  TriangleMesh convex_mesh;
+  bool is_hollow = false;  ///< the convex solid is a bubble
   std::set<std::array<int, 3>> cubes;
 
   /// -1 off, 0 on, 1 inside.
@@ -109,7 +111,17 @@ inline micro_tiles::Hexahedron cube_at(const std::array<int, 3>& c) {
 inline Solid convex_solid(TriangleMesh mesh) {
   Solid out;
   out.convex = convex_of(mesh);
+  out.convex_mesh = mesh;
   out.mesh = std::move(mesh);
+  return out;
+}
+/// The box [-2^20, 2^20]^3 without that solid. REQUIRES that all is far inside of it.
+inline Solid hollow_solid(const TriangleMesh& bubble) {
+  Solid out = convex_solid(bubble);
+  out.is_hollow = true;
+  constexpr double kFar = 0x1p20;
+  out.mesh = shapes::joined(shapes::box({-kFar, -kFar, -kFar}, {kFar, kFar, kFar}),
+                            shapes::reversed(bubble));
   return out;
 }
 /// REQUIRES cubes whose union's boundary is a surface.
@@ -131,11 +143,11 @@ inline int Solid::side(const RVec& p) const {
   using oracle::operator-;
   if (convex) {
     int out = 1;
-    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-      const auto t = oracle::rational_triangle(mesh, f);
+    for (std::uint32_t f = 0; f < convex_mesh.faces.size(); ++f) {
+      const auto t = oracle::rational_triangle(convex_mesh, f);
       out = std::min(out, -oracle::sgn(oracle::dot(oracle::normal_of(t), p - t[0])));
     }
-    return out;
+    return is_hollow ? -out : out;
   }
   // All cubes that contain the point.
   bool is_in_all = true, is_in_one = false;
@@ -162,13 +174,17 @@ inline Facts Solid::facts(const std::vector<Convex>& parts) const {
   if (convex) {
     for (const Convex& part : parts) {
       for (const RVec& p : part.points) {
-        const int s = side(p);
+        const int s = is_hollow ? -side(p) : side(p);
         out.is_in_interior = out.is_in_interior && s > 0;
         out.meets_outside = out.meets_outside || s < 0;
       }
       const Gap gap = gap_of(part, *convex);
       out.is_disjoint = out.is_disjoint && gap == Gap::kApart;
       out.meets_interior = out.meets_interior || gap == Gap::kOverlapping;
+    }
+    if (is_hollow) {
+      std::swap(out.is_in_interior, out.is_disjoint);
+      std::swap(out.meets_interior, out.meets_outside);
     }
     return out;
   }
@@ -344,17 +360,30 @@ inline RVec random_surface_point(Random& random, const TriangleMesh& mesh) {
   return at;
 }
 
+/// A point of the tile's body in the unit cube.
+inline micro_tiles::Point random_body_point(Random& random, const micro_tiles::Tile& tile) {
+  const auto& volume = tile.volumes[random.below(tile.volumes.size())];
+  // Every other point lies on the boundary of its volume.
+  std::array<Rational, 3> u;
+  for (Rational& x : u) x = random_fraction(random, 0, 16, 16);
+  if (random.below(2) == 0) u[random.below(3)] = Rational(random.below(2));
+  const auto x = evaluate<Rational, 3>(volume, u);
+  return {x[0], x[1], x[2]};
+}
+
 /// Half of all cells have columns on the lattice of quarters, and half of these have a corner of the tile on the
-/// surface, in some coordinates at least.
+/// surface, in some coordinates at least. In others a point of the tile's body lies on the surface, so that small
+/// solids and bubbles may be inside of the tile.
 inline Case random_case(Random& random, bool has_blocks) {
   Case out;
   out.solid = has_blocks ? random_blocks(random) : random_convex(random);
   out.tile = random_tile(random, 1);
   const bool is_on_lattice = random.below(2) == 0;
   const int denominator = is_on_lattice ? 4 : 1009;
-  // Cells from a fifth of a cube to several.
-  const std::array<int, 3> sizes{1, 4, 12};
-  const int size = sizes[random.below(3)] * (is_on_lattice ? 4 : 1009) / 4;
+  // Cells from a fifth of a cube to several solids.
+  const std::array<int, 4> sizes{1, 4, 12, has_blocks ? 24 : 800};
+  const std::size_t kind = random.below(4);
+  const int size = sizes[kind] * (is_on_lattice ? 4 : 1009) / 4;
   do {
     for (std::size_t a = 0; a < 3; ++a) {
       for (std::size_t c = 0; c < 3; ++c) {
@@ -363,19 +392,24 @@ inline Case random_case(Random& random, bool has_blocks) {
       }
     }
   } while (out.cell.determinant().sign() == Sign::kZero);
-  const RVec at = random_surface_point(random, out.solid.mesh);
+  if (!has_blocks && random.below(2) == 0) out.solid = hollow_solid(out.solid.mesh);
+  const TriangleMesh& near = has_blocks ? out.solid.mesh : out.solid.convex_mesh;
+  const RVec at = random_surface_point(random, near);
   const bool is_touching = is_on_lattice && random.below(2) == 0;
   const auto& part = out.tile.parts[random.below(out.tile.parts.size())];
+  const bool is_in_body = random.below(4) < (kind == 3 ? 3 : 1);
+  const RVec body = random_body_point(random, out.tile);
   const RVec corner = part[random.below(8)];
   for (std::size_t c = 0; c < 3; ++c) {
     // Either a corner of the tile is moved to the point, in some coordinates at least, or the middle near to it.
     const bool is_corner = is_touching && random.below(4) != 0;
     RVec from{micro_tiles::half(), micro_tiles::half(), micro_tiles::half()};
     if (is_corner) from = corner;
+    if (is_in_body) from = body;
     out.cell.origin[c] =
         at[c] - (out.cell.columns[0][c] * from[0] + out.cell.columns[1][c] * from[1] +
                  out.cell.columns[2][c] * from[2]);
-    if (!is_corner)
+    if (!is_corner && !is_in_body)
       out.cell.origin[c] +=
           random_fraction(random, -size, size, denominator) * random_fraction(random, 0, 2, 1);
   }
@@ -433,17 +467,6 @@ inline Case random_curved_case(Random& random, bool has_blocks) {
   }
   out.map = std::move(rational);
   return out;
-}
-
-/// A point of the tile's body in the unit cube.
-inline micro_tiles::Point random_body_point(Random& random, const micro_tiles::Tile& tile) {
-  const auto& volume = tile.volumes[random.below(tile.volumes.size())];
-  // Every other point lies on the boundary of its volume.
-  std::array<Rational, 3> u;
-  for (Rational& x : u) x = random_fraction(random, 0, 16, 16);
-  if (random.below(2) == 0) u[random.below(3)] = Rational(random.below(2));
-  const auto x = evaluate<Rational, 3>(volume, u);
-  return {x[0], x[1], x[2]};
 }
 
 /// What contradicts a status at `num` points of the tile, or nothing.

@@ -20,9 +20,10 @@ using Point = std::array<Rational, 3>;
 /// A convex part of a body: the corner with the bits (x, y, z) of its number.
 using Hexahedron = std::array<Point, 8>;
 
-/// A tile and convex parts whose union is its body, where its patches are flat.
+/// A tile; volumes whose union is its body; and, where its patches are flat, these as convex parts.
 struct Tile {
   std::vector<Surface> patches;
+  std::vector<BezierVolume<Rational>> volumes;
   std::vector<Hexahedron> parts;
 };
 
@@ -58,13 +59,21 @@ inline Hexahedron hexahedron(const Point& lo, const Point& hi) {
   return out;
 }
 
-inline Tile box(const Point& lo, const Point& hi) {
-  const Hexahedron h = hexahedron(lo, hi);
-  return {faces_of(h), {h}};
+inline BezierVolume<Rational> volume_of(const Hexahedron& h) {
+  BezierVolume<Rational> out({1, 1, 1}, 3, false);
+  for (std::size_t i = 0; i < 8; ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      out.component(static_cast<int>(c))[out.grid().at({i & 1, i >> 1 & 1, i >> 2})] = h[i][c];
+  return out;
 }
 
-/// A node of half-width `node` in the middle with an arm to each wall, which ends in a cap of half-width caps[2 a + end]
-/// at the wall `end` of axis a. Arms are frusta (degree 1), or have the profile (node, node, cap, cap) of degree 3.
+inline Tile box(const Point& lo, const Point& hi) {
+  const Hexahedron h = hexahedron(lo, hi);
+  return {faces_of(h), {volume_of(h)}, {h}};
+}
+
+/// A node of half-width `node` in the middle with an arm to each wall, which ends in a cap of half-width
+/// caps[2 a + end] at the wall `end` of axis a. Arms are frusta (degree 1), or have the profile (node, node, cap, cap) of degree 3.
 /// 30 patches, outward.
 inline Tile jack(const Rational& node, const std::array<Rational, 6>& caps, int degree) {
   VT_CHECK(degree == 1 || degree == 3, "a jack has the degree 1 or 3");
@@ -72,6 +81,7 @@ inline Tile jack(const Rational& node, const std::array<Rational, 6>& caps, int 
       high{half() + node, half() + node, half() + node};
   Tile out;
   out.parts.push_back(hexahedron(low, high));
+  out.volumes.push_back(volume_of(out.parts.front()));
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t end = 0; end < 2; ++end) {
       const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
@@ -86,6 +96,20 @@ inline Tile jack(const Rational& node, const std::array<Rational, 6>& caps, int 
           arm[i][k] = (i >> k & 1) != 0 ? half() + width : half() - width;
       }
       out.parts.push_back(arm);
+      out.volumes.push_back(volume_of(arm));
+      if (degree == 3) {
+        // Along the arm the rows across it are those of the ends: (node, node, cap, cap).
+        BezierVolume<Rational>& volume = out.volumes.back();
+        volume = elevate(volume, a, 2);
+        for (const std::size_t k : {b, c}) {
+          const auto net = volume.component(static_cast<int>(k));
+          volume.grid().for_each_line(a, [&](std::size_t first) {
+            const std::size_t step = volume.grid().stride(a);
+            net[first + step] = net[first];
+            net[first + 2 * step] = net[first + 3 * step];
+          });
+        }
+      }
       const std::vector<Surface> faces = faces_of(arm);
       for (std::size_t f = 0; f < 6; ++f) {
         if (f == 2 * a + 1 - end) continue;  // inside
@@ -115,9 +139,11 @@ inline Tile jack(int degree) {
   return jack(Rational(1) / Rational(5), {cap, cap, cap, cap, cap, cap}, degree);
 }
 
-inline TileShape shape_of(const Tile& tile) { return std::move(TileShape::make(tile.patches).value()); }
+inline TileShape shape_of(const Tile& tile) {
+  return std::move(TileShape::make(tile.patches).value());
+}
 
-/// The map of these degrees whose control point (i, j, k) is point(i/l, j/m, k/n), with the weight weight(...) if given.
+/// The map of degrees (l, m, n) whose control point (i, j, k) is point(i/l, j/m, k/n).
 template <typename AtParameter>
 BezierVolume<Rational> cage(std::array<int, 3> degrees, AtParameter point) {
   BezierVolume<Rational> out(degrees, 3, false);

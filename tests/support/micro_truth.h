@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/micro_truth.h: how tiles of flat patches in affine cells lie with respect to convex and block models, in
-// rational numbers. Shares no line with solids/micro/filter.
+// tests/support/micro_truth.h: how tiles of flat patches in affine cells lie with respect to convex and block models,
+// in rational numbers. Shares no line with solids/micro/filter.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "solids/micro/filter/tile_filter.h"
+#include "splines/de_casteljau.h"
 #include "tests/support/exact_geometry.h"
 #include "tests/support/micro_tiles.h"
 #include "tests/support/shapes.h"
@@ -31,8 +32,8 @@ inline Convex convex_of(const micro_tiles::Hexahedron& h) {
   for (std::size_t a = 0; a < 3; ++a) {
     const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
     for (const std::size_t at : {std::size_t{0}, std::size_t{1} << a})
-      out.normals.push_back(oracle::cross(h[at | std::size_t{1} << b] - h[at],
-                                          h[at | std::size_t{1} << c] - h[at]));
+      out.normals.push_back(
+          oracle::cross(h[at | std::size_t{1} << b] - h[at], h[at | std::size_t{1} << c] - h[at]));
     for (const std::size_t i : {std::size_t{0}, std::size_t{1} << b, std::size_t{1} << c,
                                 std::size_t{1} << b | std::size_t{1} << c})
       out.edges.push_back(h[i | std::size_t{1} << a] - h[i]);
@@ -88,10 +89,12 @@ struct Facts {
   }
 };
 
-/// A solid whose truth is known: convex, or the union of unit cubes.
+/// A solid whose truth is known: convex, a large box without such a solid, or the union of unit cubes.
 struct Solid {
   TriangleMesh mesh;
   std::optional<Convex> convex;
+  TriangleMesh convex_mesh;
+  bool is_hollow = false;  ///< the convex solid is a bubble
   std::set<std::array<int, 3>> cubes;
 
   /// -1 off, 0 on, 1 inside.
@@ -108,7 +111,17 @@ inline micro_tiles::Hexahedron cube_at(const std::array<int, 3>& c) {
 inline Solid convex_solid(TriangleMesh mesh) {
   Solid out;
   out.convex = convex_of(mesh);
+  out.convex_mesh = mesh;
   out.mesh = std::move(mesh);
+  return out;
+}
+/// The box [-2^20, 2^20]^3 without that solid. REQUIRES that all is far inside of it.
+inline Solid hollow_solid(const TriangleMesh& bubble) {
+  Solid out = convex_solid(bubble);
+  out.is_hollow = true;
+  constexpr double kFar = 0x1p20;
+  out.mesh = shapes::joined(shapes::box({-kFar, -kFar, -kFar}, {kFar, kFar, kFar}),
+                            shapes::reversed(bubble));
   return out;
 }
 /// REQUIRES cubes whose union's boundary is a surface.
@@ -130,11 +143,11 @@ inline int Solid::side(const RVec& p) const {
   using oracle::operator-;
   if (convex) {
     int out = 1;
-    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-      const auto t = oracle::rational_triangle(mesh, f);
+    for (std::uint32_t f = 0; f < convex_mesh.faces.size(); ++f) {
+      const auto t = oracle::rational_triangle(convex_mesh, f);
       out = std::min(out, -oracle::sgn(oracle::dot(oracle::normal_of(t), p - t[0])));
     }
-    return out;
+    return is_hollow ? -out : out;
   }
   // All cubes that contain the point.
   bool is_in_all = true, is_in_one = false;
@@ -161,13 +174,17 @@ inline Facts Solid::facts(const std::vector<Convex>& parts) const {
   if (convex) {
     for (const Convex& part : parts) {
       for (const RVec& p : part.points) {
-        const int s = side(p);
+        const int s = is_hollow ? -side(p) : side(p);
         out.is_in_interior = out.is_in_interior && s > 0;
         out.meets_outside = out.meets_outside || s < 0;
       }
       const Gap gap = gap_of(part, *convex);
       out.is_disjoint = out.is_disjoint && gap == Gap::kApart;
       out.meets_interior = out.meets_interior || gap == Gap::kOverlapping;
+    }
+    if (is_hollow) {
+      std::swap(out.is_in_interior, out.is_disjoint);
+      std::swap(out.meets_interior, out.meets_outside);
     }
     return out;
   }
@@ -315,28 +332,58 @@ inline Solid random_blocks(Random& random) {
   }
 }
 
-/// Half of all cells have columns on the lattice of quarters, and half of these have a corner of the tile on the surface,
-/// in some coordinates at least.
+inline micro_tiles::Tile random_tile(Random& random, int degree) {
+  const auto inner = [&] { return random_fraction(random, 2, 7, 16); };
+  if (random.below(3) != 0)
+    return micro_tiles::jack(inner(), {inner(), inner(), inner(), inner(), inner(), inner()},
+                             degree);
+  micro_tiles::Point lo, hi;
+  for (std::size_t c = 0; c < 3; ++c) {
+    lo[c] = random_fraction(random, 0, 7, 16);
+    hi[c] = random_fraction(random, 8, 16, 16);
+  }
+  return micro_tiles::box(lo, hi);
+}
+
+/// A point of a random facet.
+inline RVec random_surface_point(Random& random, const TriangleMesh& mesh) {
+  const auto& face = mesh.faces[random.below(mesh.faces.size())];
+  RVec at;
+  Rational weights(0);
+  for (const std::uint32_t v : face) {
+    const Rational w(random.between(1, 4));
+    weights += w;
+    const RVec p = oracle::rational(mesh.positions[v]);
+    for (std::size_t c = 0; c < 3; ++c) at[c] += w * p[c];
+  }
+  for (Rational& x : at) x /= weights;
+  return at;
+}
+
+/// A point of the tile's body in the unit cube.
+inline micro_tiles::Point random_body_point(Random& random, const micro_tiles::Tile& tile) {
+  const auto& volume = tile.volumes[random.below(tile.volumes.size())];
+  // Every other point lies on the boundary of its volume.
+  std::array<Rational, 3> u;
+  for (Rational& x : u) x = random_fraction(random, 0, 16, 16);
+  if (random.below(2) == 0) u[random.below(3)] = Rational(random.below(2));
+  const auto x = evaluate<Rational, 3>(volume, u);
+  return {x[0], x[1], x[2]};
+}
+
+/// Half of all cells have columns on the lattice of quarters, and half of these have a corner of the tile on the
+/// surface, in some coordinates at least. In others a point of the tile's body lies on the surface, so that small
+/// solids and bubbles may be inside of the tile.
 inline Case random_case(Random& random, bool has_blocks) {
   Case out;
   out.solid = has_blocks ? random_blocks(random) : random_convex(random);
-  const auto inner = [&] { return random_fraction(random, 2, 7, 16); };
-  if (random.below(3) == 0) {
-    micro_tiles::Point lo, hi;
-    for (std::size_t c = 0; c < 3; ++c) {
-      lo[c] = random_fraction(random, 0, 7, 16);
-      hi[c] = random_fraction(random, 8, 16, 16);
-    }
-    out.tile = micro_tiles::box(lo, hi);
-  } else {
-    out.tile =
-        micro_tiles::jack(inner(), {inner(), inner(), inner(), inner(), inner(), inner()}, 1);
-  }
+  out.tile = random_tile(random, 1);
   const bool is_on_lattice = random.below(2) == 0;
   const int denominator = is_on_lattice ? 4 : 1009;
-  // Cells from a fifth of a cube to several.
-  const std::array<int, 3> sizes{1, 4, 12};
-  const int size = sizes[random.below(3)] * (is_on_lattice ? 4 : 1009) / 4;
+  // Cells from a fifth of a cube to several solids.
+  const std::array<int, 4> sizes{1, 4, 12, has_blocks ? 24 : 800};
+  const std::size_t kind = random.below(4);
+  const int size = sizes[kind] * (is_on_lattice ? 4 : 1009) / 4;
   do {
     for (std::size_t a = 0; a < 3; ++a) {
       for (std::size_t c = 0; c < 3; ++c) {
@@ -345,31 +392,26 @@ inline Case random_case(Random& random, bool has_blocks) {
       }
     }
   } while (out.cell.determinant().sign() == Sign::kZero);
-  // A point of a random facet.
-  const TriangleMesh& mesh = out.solid.mesh;
-  const auto& face = mesh.faces[random.below(mesh.faces.size())];
-  RVec at;
-  Rational weights(0);
-  for (const std::uint32_t v : face) {
-    const Rational w(random.between(0, 4));
-    weights += w;
-    for (std::size_t c = 0; c < 3; ++c) at[c] += w * Rational::from_double(mesh.positions[v][static_cast<int>(c)]);
-  }
-  if (weights.sign() == Sign::kZero) weights = Rational(1);
-  for (Rational& x : at) x /= weights;
+  if (!has_blocks && random.below(2) == 0) out.solid = hollow_solid(out.solid.mesh);
+  const TriangleMesh& near = has_blocks ? out.solid.mesh : out.solid.convex_mesh;
+  const RVec at = random_surface_point(random, near);
   const bool is_touching = is_on_lattice && random.below(2) == 0;
   const auto& part = out.tile.parts[random.below(out.tile.parts.size())];
+  const bool is_in_body = random.below(4) < (kind == 3 ? 3 : 1);
+  const RVec body = random_body_point(random, out.tile);
   const RVec corner = part[random.below(8)];
   for (std::size_t c = 0; c < 3; ++c) {
     // Either a corner of the tile is moved to the point, in some coordinates at least, or the middle near to it.
     const bool is_corner = is_touching && random.below(4) != 0;
     RVec from{micro_tiles::half(), micro_tiles::half(), micro_tiles::half()};
     if (is_corner) from = corner;
-    out.cell.origin[c] = at[c] - (out.cell.columns[0][c] * from[0] + out.cell.columns[1][c] * from[1] +
-                                  out.cell.columns[2][c] * from[2]);
-    if (!is_corner)
-      out.cell.origin[c] += random_fraction(random, -size, size, denominator) *
-                            random_fraction(random, 0, 2, 1);
+    if (is_in_body) from = body;
+    out.cell.origin[c] =
+        at[c] - (out.cell.columns[0][c] * from[0] + out.cell.columns[1][c] * from[1] +
+                 out.cell.columns[2][c] * from[2]);
+    if (!is_corner && !is_in_body)
+      out.cell.origin[c] +=
+          random_fraction(random, -size, size, denominator) * random_fraction(random, 0, 2, 1);
   }
   std::array<int, 3> degrees;
   for (int& d : degrees) d = static_cast<int>(1 + random.below(3) / 2 * (1 + random.below(2)));
@@ -377,12 +419,77 @@ inline Case random_case(Random& random, bool has_blocks) {
   return out;
 }
 
+/// A cell of a cage of degree 1 to 3 in each axis, near the surface: an affine image of the unit cube whose control
+/// points were moved by less than 1/18, so that the map stays one to one: its derivative differs from the identity by
+/// less than 1 in every row sum. A third of the maps are rational: a projective map comes after. The tile has the degree
+/// 1 or 3; the affine map is only where the cell lies.
+inline Case random_curved_case(Random& random, bool has_blocks) {
+  Case out;
+  out.solid = has_blocks ? random_blocks(random) : random_convex(random);
+  out.tile = random_tile(random, random.below(2) == 0 ? 1 : 3);
+  const int size = static_cast<int>(random.between(300, 4000));
+  do {
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t c = 0; c < 3; ++c)
+        out.cell.columns[a][c] = random_fraction(random, -size, size, 1009) *
+                                 random_fraction(random, a == c ? 2 : 0, 2, 2);
+  } while (out.cell.determinant().sign() == Sign::kZero);
+  const RVec at = random_surface_point(random, out.solid.mesh);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const RVec& x = out.cell.columns[0];
+    out.cell.origin[c] =
+        at[c] + random_fraction(random, -size, size, 1009) -
+        micro_tiles::half() * (x[c] + out.cell.columns[1][c] + out.cell.columns[2][c]);
+  }
+  std::array<int, 3> degrees;
+  for (int& d : degrees) d = static_cast<int>(random.between(1, 3));
+  std::vector<RVec> moved;
+  out.map = micro_tiles::cage(degrees, [&](RVec u) {
+    for (Rational& x : u) x += random_fraction(random, -55, 55, 1000);
+    moved.push_back(u);
+    return out.cell(u);
+  });
+  if (random.below(3) != 0) return out;
+  // A projective map after it, which fixes the middle m: x -> m + (x - m) / w, w = 1 + a . (x - m) in the unit cube's
+  // coordinates.
+  RVec a;
+  for (Rational& x : a) x = random_fraction(random, -10, 10, 40);
+  const RVec middle{micro_tiles::half(), micro_tiles::half(), micro_tiles::half()};
+  const RVec fixed = out.cell(middle);
+  BezierVolume<Rational> rational(degrees, 4, true);
+  for (std::size_t n = 0; n < moved.size(); ++n) {
+    Rational w(1);
+    for (std::size_t c = 0; c < 3; ++c) w += a[c] * (moved[n][c] - middle[c]);
+    for (std::size_t c = 0; c < 3; ++c)
+      rational.component(static_cast<int>(c))[n] =
+          out.map.component(static_cast<int>(c))[n] + fixed[c] * (w - Rational(1));
+    rational.component(3)[n] = w;
+  }
+  out.map = std::move(rational);
+  return out;
+}
+
+/// What contradicts a status at `num` points of the tile, or nothing.
+inline std::string contradiction_of(const Case& c, const CellMap& cell, CellStatus status, int num,
+                                    Random& random) {
+  int least = 1, most = -1;
+  for (int i = 0; i < num; ++i) {
+    const int side = c.solid.side(cell.image(random_body_point(random, c.tile)));
+    least = std::min(least, side), most = std::max(most, side);
+  }
+  if ((status == CellStatus::kKept && least < 1) || (status == CellStatus::kOutside && most > -1) ||
+      (status == CellStatus::kTouching && least < 0 && most > 0))
+    return std::string("it is said to be ") + cell_status_name(status) + ", but its points show " +
+           std::to_string(least) + " to " + std::to_string(most);
+  return "";
+}
+
 /// What is wrong with a finding, or nothing. Undecided is never wrong here.
 inline std::string fault_of(const Case& c, const CellMap& cell, const TileShape& shape,
-                            const CellFinding& finding, const Facts& facts) {
+                            const CellFinding& finding, const std::optional<Facts>& facts) {
   if (finding.status == CellStatus::kUndecided) return "";
-  if (finding.status != facts.status())
-    return std::string("it is ") + cell_status_name(facts.status()) + ", and said to be " +
+  if (facts && finding.status != facts->status())
+    return std::string("it is ") + cell_status_name(facts->status()) + ", and said to be " +
            cell_status_name(finding.status);
   if (finding.inside && c.solid.side(cell.image(shape, *finding.inside)) != 1)
     return "the point inside is not inside";

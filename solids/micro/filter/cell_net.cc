@@ -66,6 +66,25 @@ CellNet::CellNet(const BezierVolume<Rational>& map)
   VT_CHECK(map.dimension() == 3, "the map of a cell has three coordinates");
   for (std::size_t i = 0; i < net_.coefficients().size(); ++i)
     net_.coefficients()[i] = enclose(map.coefficients()[i]);
+  find_hull();
+}
+
+CellNet::CellNet(BezierVolume<Interval> net) : net_(std::move(net)) { find_hull(); }
+
+void CellNet::find_hull() {
+  hull_ = empty_box();
+  for (std::size_t i = 0; i < net_.grid().count(); ++i) {
+    Box3 p(net_.component(0)[i], net_.component(1)[i], net_.component(2)[i]);
+    if (net_.is_rational()) {
+      const Interval& w = net_.component(3)[i];
+      if (w.sign() != Sign3::kPositive) {
+        hull_ = {{-kUnbounded, -kUnbounded, -kUnbounded}, {kUnbounded, kUnbounded, kUnbounded}};
+        return;
+      }
+      for (std::size_t c = 0; c < 3; ++c) p[c] = p[c] / w;
+    }
+    hull_ = veritope::hull(hull_, outer_box(p));
+  }
 }
 
 Box3 CellNet::values(const Box3& at) const {
@@ -80,27 +99,10 @@ Box3 CellNet::values(const Box3& at) const {
     std::copy(net_.component(c).begin(), net_.component(c).end(), work);
     x[static_cast<std::size_t>(c)] = net_value(work, grid, blends);
   }
-  if (!net_.is_rational()) return Box3(x[0], x[1], x[2]);
-  if (x[3].sign() != Sign3::kPositive) return Box3::entire();
-  return Box3(x[0] / x[3], x[1] / x[3], x[2] / x[3]);
-}
-
-bool CellNet::has_positive_weights() const {
-  if (!net_.is_rational()) return true;
-  const auto weights = net_.component(3);
-  return std::all_of(weights.begin(), weights.end(),
-                     [](const Interval& w) { return w.sign() == Sign3::kPositive; });
-}
-
-Box3d CellNet::hull() const {
-  if (!has_positive_weights())
-    return {{-kUnbounded, -kUnbounded, -kUnbounded}, {kUnbounded, kUnbounded, kUnbounded}};
-  Box3d out = empty_box();
-  for (std::size_t i = 0; i < net_.grid().count(); ++i) {
-    Box3 p(net_.component(0)[i], net_.component(1)[i], net_.component(2)[i]);
-    if (net_.is_rational())
-      for (std::size_t c = 0; c < 3; ++c) p[c] = p[c] / net_.component(3)[i];
-    out = veritope::hull(out, outer_box(p));
+  Box3 out(x[0], x[1], x[2]);
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (net_.is_rational()) out[c] = out[c] / x[3];
+    out[c] = intersection(out[c], Interval::from_bounds(hull_.lo[c], hull_.hi[c]));
   }
   return out;
 }
@@ -120,14 +122,15 @@ MapBounds CellNet::bounds() const {
     }
     return out;
   }
-  if (!has_positive_weights()) {
+  if (!is_finite(hull_)) {
     for (std::size_t c = 0; c < 3; ++c) {
       out.first[c].fill(kUnbounded);
       for (Point3d& row : out.second[c]) row.fill(kUnbounded);
     }
     return out;
   }
-  // f = X / w with f = 0 near the middle of the hull: f_i = (X_i - f w_i) / w, f_ij = (X_ij - f_i w_j - f_j w_i - f w_ij) / w.
+  // For f = X / w, moved so that the middle of the hull is the origin:
+  // f_i = (X_i - f w_i) / w, f_ij = (X_ij - f_i w_j - f_j w_i - f w_ij) / w.
   const auto weights = net_.component(3);
   Interval w = weights[0];
   for (const Interval& x : weights) w = veritope::hull(w, x);
@@ -137,13 +140,12 @@ MapBounds CellNet::bounds() const {
     w1[i] = derivative_hull(weights, grid, i, kNone);
     for (std::size_t j = 0; j <= i; ++j) w2[i][j] = w2[j][i] = derivative_hull(weights, grid, i, j);
   }
-  const Box3d box = hull();
-  const Point3d middle = approx_centre(box);
+  const Point3d middle = approx_centre(hull_);
   std::vector<Interval> x(grid.count());
   for (std::size_t c = 0; c < 3; ++c) {
     const auto net = net_.component(static_cast<int>(c));
     const Interval origin(middle[c]);
-    Interval f = Interval::from_bounds(box.lo[c], box.hi[c]) - origin;
+    Interval f = Interval::from_bounds(hull_.lo[c], hull_.hi[c]) - origin;
     for (std::size_t n = 0; n < x.size(); ++n) x[n] = net[n] - origin * weights[n];
     std::array<Interval, 3> f1;
     for (std::size_t i = 0; i < 3; ++i) {

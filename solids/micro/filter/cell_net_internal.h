@@ -25,22 +25,22 @@ class CellNet {
   /// REQUIRES three coordinates, and a weight if the map is rational.
   explicit CellNet(const BezierVolume<Rational>& map);
 
-  /// Contains the map's values on the box. REQUIRES a box in [0,1]^3.
+  /// Contains the map's values on the box, and lies in hull(). REQUIRES a box in [0,1]^3.
   Box3 values(const Box3& at) const;
   /// The box of the control points, which contains all values; not finite if a weight may be 0 or less.
-  Box3d hull() const;
+  const Box3d& hull() const { return hull_; }
   MapBounds bounds() const;
   /// The map on both parts of an axis that is cut at t, 0 < t < 1, each as a map of [0,1]^3.
   std::pair<CellNet, CellNet> halves(std::size_t axis, const Interval& t) const;
 
  private:
-  explicit CellNet(BezierVolume<Interval> net) : net_(std::move(net)) {}
-  bool has_positive_weights() const;
+  explicit CellNet(BezierVolume<Interval> net);
+  void find_hull();
 
   BezierVolume<Interval> net_;
+  Box3d hull_;
 };
 
-inline bool is_finite(const Box3& b) { return wid(b[0]) + wid(b[1]) + wid(b[2]) < HUGE_VAL; }
 inline Box3d outer_box(const Box3& b) {
   return {{b[0].lo(), b[1].lo(), b[2].lo()}, {b[0].hi(), b[1].hi(), b[2].hi()}};
 }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "robust/base/fp_guard.h"
 #include "solids/micro/filter/exact_contact_internal.h"
 #include "solids/micro/filter/separation_internal.h"
 #include "splines/bezier_domain.h"
@@ -60,17 +59,6 @@ std::vector<ExactPoint> clipped(const std::vector<ExactPoint>& polygon, const Ex
   return out;
 }
 
-// The control points of a piece, and what is exact about them.
-struct ExactControl {
-  std::vector<ExactPoint> points;
-  std::vector<Point3d> approx;
-  std::array<ExactPoint, 4> corners;  // in the cycle (0,0), (1,0), (1,1), (0,1)
-  /// The sides' control points lie on the segments between the corners, all of them in a plane, and the corners are a
-  /// convex quadrilateral: the piece covers it, and nothing else.
-  bool is_flat = false;
-  ExactPoint normal;  // of a flat piece
-};
-
 bool is_on_segment(const ExactPoint& p, const ExactPoint& a, const ExactPoint& b) {
   const ExactPoint u = rounded_difference(b, a), w = rounded_difference(p, a);
   const Rational along = exact_dot(u, w);
@@ -104,30 +92,28 @@ void find_flatness(const Grid<2>& grid, ExactControl* out) {
   out->normal = n;
 }
 
-// Nothing if a weight is not positive.
-std::optional<ExactControl> control_of(const BezierSurface<Rational>& piece) {
-  ExactControl out;
-  const Grid<2> grid = piece.grid();
-  for (std::size_t k = 0; k < grid.count(); ++k) {
-    ExactPoint p{piece.component(0)[k], piece.component(1)[k], piece.component(2)[k]};
-    if (piece.is_rational()) {
-      const Rational& w = piece.component(3)[k];
-      if (w.sign() != Sign::kPositive) return std::nullopt;
+// The control points of a map into space, or false if a weight is not positive.
+template <std::size_t N>
+bool add_control_points(const Bezier<Rational, N>& map, ExactControl* out) {
+  for (std::size_t k = 0; k < map.grid().count(); ++k) {
+    ExactPoint p{map.component(0)[k], map.component(1)[k], map.component(2)[k]};
+    if (map.is_rational()) {
+      const Rational& w = map.component(3)[k];
+      if (w.sign() != Sign::kPositive) return false;
       for (Rational& x : p) x /= w;
     }
-    out.approx.push_back(approx_of(p));
-    out.points.push_back(std::move(p));
+    out->approx.push_back(approx_of(p));
+    out->points.push_back(std::move(p));
   }
-  const std::size_t m = grid.size[0] - 1, n = grid.size[1] - 1;
-  out.corners = {out.points[grid.at({0, 0})], out.points[grid.at({m, 0})],
-                 out.points[grid.at({m, n})], out.points[grid.at({0, n})]};
-  find_flatness(grid, &out);
-  return out;
+  return true;
 }
 
 class FacetSeparator {
  public:
-  FacetSeparator(const ExactControl& control) : control_(control) {
+  // If both half-spaces of a border hold the piece, `prefers_reversed` chooses the one against the candidate's
+  // direction.
+  FacetSeparator(const ExactControl& control, bool prefers_reversed)
+      : control_(control), prefers_reversed_(prefers_reversed) {
     Box3d box = empty_box();
     for (const Point3d& p : control.approx) add(p, &box);
     tolerance_ = 0x1p-30 * (box.hi[0] - box.lo[0] + box.hi[1] - box.lo[1] + box.hi[2] - box.lo[2]);
@@ -162,7 +148,7 @@ class FacetSeparator {
     for (const ExactPoint& e : edges_) candidates.push_back(exact_cross(normal_, e));
     std::optional<ExactHalfSpace> touching;
     for (const ExactPoint& n : candidates)
-      for (const bool is_reversed : {false, true}) {
+      for (const bool is_reversed : {prefers_reversed_, !prefers_reversed_}) {
         const ExactPoint d = is_reversed ? ExactPoint{-n[0], -n[1], -n[2]} : n;
         if (!may_separate(approx_of(d), facet)) continue;
         Rational most = exact_dot(d, q[0]);
@@ -179,6 +165,13 @@ class FacetSeparator {
     return Gap::kTouching;
   }
   const std::vector<ExactHalfSpace>& half_spaces() const { return half_spaces_; }
+  // Whether the piece lies in the border of a half-space, so that the other side is as good.
+  bool has_choice() const {
+    return std::any_of(half_spaces_.begin(), half_spaces_.end(), [&](const ExactHalfSpace& h) {
+      return std::all_of(control_.points.begin(), control_.points.end(),
+                         [&](const ExactPoint& p) { return h.height(p).sign() == Sign::kZero; });
+    });
+  }
 
  private:
   // Whether the plane separates them, or nearly so: planes that cut deeply need no rationals.
@@ -192,6 +185,7 @@ class FacetSeparator {
   }
 
   const ExactControl& control_;
+  const bool prefers_reversed_;
   double tolerance_ = 0;
   std::vector<ExactPoint> edges_;
   ExactPoint normal_;
@@ -260,44 +254,83 @@ std::optional<ExactPoint> point_beside(const TileFilter::Model& model, const Til
 
 }  // namespace
 
-BezierSurface<Rational> ExactPatches::piece(const TilePiece& piece) {
-  if (!map_) {
-    map_ = *cell_.map;
-    for (std::size_t a = 0; a < 3; ++a) map_ = restricted(*map_, a, cell_.lo[a], cell_.hi[a]);
-    patches_.resize(tile_.patches().size());
+std::size_t ExactPatches::num_points(std::uint32_t patch) const {
+  std::size_t out = 1;
+  for (const int d : composed_degrees(cell_.map->degrees(), tile_.patches()[patch].exact.degrees()))
+    out *= static_cast<std::size_t>(d) + 1;
+  return out;
+}
+
+void ExactPatches::restrict_map() {
+  if (map_) return;
+  map_ = *cell_.map;
+  for (std::size_t a = 0; a < 3; ++a) map_ = restricted(*map_, a, cell_.lo[a], cell_.hi[a]);
+  patches_.resize(tile_.patches().size());
+}
+
+std::optional<ExactControl> ExactPatches::around(const TilePiece& piece) {
+  restrict_map();
+  if (!around_) {
+    around_.emplace();
+    if (!add_control_points(*map_, &*around_)) around_->points.clear();
   }
+  if (around_->points.empty()) return std::nullopt;
+  ExactControl out = *around_;
+  constexpr std::array<std::size_t, 4> kCycle{0, 1, 3, 2};
+  for (std::size_t i = 0; i < 4; ++i)
+    out.corners[i] = cell_.image(
+        tile_, {piece.patch, piece.parameter(0, kCycle[i]), piece.parameter(1, kCycle[i])});
+  return out;
+}
+
+std::optional<ExactControl> ExactPatches::control(const TilePiece& piece) {
+  restrict_map();
   auto& patch = patches_[piece.patch];
   if (!patch) patch = compose(*map_, tile_.patches()[piece.patch].exact).value();
-  BezierSurface<Rational> out = *patch;
+  BezierSurface<Rational> part = *patch;
   for (std::size_t a = 0; a < 2; ++a)
-    out = restricted(out, a, piece.parameter(a, 0), piece.parameter(a, std::size_t{1} << a));
+    part = restricted(part, a, piece.parameter(a, 0), piece.parameter(a, std::size_t{1} << a));
+  ExactControl out;
+  if (!add_control_points(part, &out)) return std::nullopt;
+  const Grid<2> grid = part.grid();
+  const std::size_t m = grid.size[0] - 1, n = grid.size[1] - 1;
+  out.corners = {out.points[grid.at({0, 0})], out.points[grid.at({m, 0})],
+                 out.points[grid.at({m, n})], out.points[grid.at({0, n})]};
+  find_flatness(grid, &out);
   return out;
 }
 
 PieceSide exact_side(const TileFilter::Model& model, const TilePiece& piece,
-                     const BezierSurface<Rational>& exact, std::span<const std::uint32_t> facets,
+                     const ExactControl& control, std::span<const std::uint32_t> facets,
                      std::optional<ExactPoint>* contact) {
-  const std::optional<ExactControl> control = control_of(exact);
-  if (!control) return PieceSide::kOpen;
-  FacetSeparator separator(*control);
+  PieceSide out;
   std::vector<std::uint32_t> touching;
-  for (const std::uint32_t f : facets) {
-    const FacetSeparator::Gap gap = separator.separate(model.corners(f));
-    if (gap == FacetSeparator::Gap::kNone) return PieceSide::kOpen;
-    if (gap == FacetSeparator::Gap::kTouching) touching.push_back(f);
+  for (const bool prefers_reversed : {false, true}) {
+    FacetSeparator separator(control, prefers_reversed);
+    touching.clear();
+    for (const std::uint32_t f : facets) {
+      const FacetSeparator::Gap gap = separator.separate(model.corners(f));
+      if (gap == FacetSeparator::Gap::kNone) return out;
+      if (gap == FacetSeparator::Gap::kTouching) touching.push_back(f);
+    }
+    out.is_apart = touching.empty();
+    out.is_decided = out.is_decided || out.is_apart;
+    if (out.is_apart) return out;
+    std::sort(touching.begin(), touching.end());
+    const std::optional<ExactPoint> z =
+        point_beside(model, piece, control, separator.half_spaces(), touching);
+    const PointAnswer answer = z ? model.classifier().classify(*z) : PointAnswer{};
+    if (z && !answer.is_on()) {
+      out.is_decided = true;
+      (answer.winding != 0 ? out.is_near_inside : out.is_near_outside) = true;
+    }
+    if (!separator.has_choice()) break;
   }
-  if (touching.empty()) return PieceSide::kApart;
-  std::sort(touching.begin(), touching.end());
-  const std::optional<ExactPoint> z =
-      point_beside(model, piece, *control, separator.half_spaces(), touching);
-  if (!z) return PieceSide::kOpen;
-  const PointAnswer answer = model.classifier().classify(*z);
-  if (answer.is_on()) return PieceSide::kOpen;
-  for (const ExactPoint& p : control->corners)
-    if (!*contact && model.classifier().classify(p).is_on()) *contact = p;
-  for (std::size_t i = 0; i < touching.size() && control->is_flat && !*contact; ++i)
-    *contact = common_point(*control, model.corners(touching[i]));
-  return answer.winding != 0 ? PieceSide::kInside : PieceSide::kOff;
+  for (std::size_t i = 0; i < 4 && !*contact; ++i)
+    if (model.classifier().classify(control.corners[i]).is_on()) *contact = control.corners[i];
+  for (std::size_t i = 0; i < touching.size() && control.is_flat && !*contact; ++i)
+    *contact = common_point(control, model.corners(touching[i]));
+  return out;
 }
 
 }  // namespace veritope::internal

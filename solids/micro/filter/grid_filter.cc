@@ -7,6 +7,7 @@
 
 #include "interval/upward.h"
 #include "robust/base/check.h"
+#include "robust/base/fp_guard.h"
 #include "robust/base/parallel.h"
 #include "solids/micro/filter/filter_model_internal.h"
 #include "solids/micro/filter/tile_walk_internal.h"
@@ -146,9 +147,15 @@ class GridWalk {
       cell.lo[a] = axes_[a].begin[number[a]];
       cell.hi[a] = axes_[a].end[number[a]];
     }
-    const std::shared_ptr<const TileShape> shape = tile_(number);
+    const std::shared_ptr<const TileShape> shape = shape_of(number);
     VT_CHECK(shape != nullptr, "a cell without a tile");
     return TileWalk(model_, net, cell, *shape, limits_).run().status;
+  }
+
+  // The caller's function computes as everywhere else.
+  std::shared_ptr<const TileShape> shape_of(const CellNumber& number) const {
+    const ScopedDefaultFp nearest;
+    return tile_(number);
   }
 
   void fill(const CellBlock& block, CellStatus status) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/filter/grid_filter.h: the tiles of all cells of a cage against a solid: blocks of cells first, then tiles
-// near the surface.
+// solids/micro/filter/grid_filter.h: the tiles of all cells of a cage against a solid: blocks of cells first, then
+// tiles near the surface.
 #pragma once
 #include <array>
 #include <cstdint>

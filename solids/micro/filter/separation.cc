@@ -58,7 +58,7 @@ bool GrownHull::is_proved_apart(const Point3d& direction, const std::array<Vec3d
   });
 }
 
-// The same without proof, at a fraction of the cost.
+// Guesses what is_proved_apart will say, at a fraction of the cost.
 bool GrownHull::may_be_apart(const Point3d& d, const std::array<Vec3d, 3>& facet,
                              const Point3d& excess) const {
   double nearest = approx_dot(d, to_point(facet[0]));

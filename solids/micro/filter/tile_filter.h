@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/micro/filter/tile_filter.h: does the tile of a cell lie in a solid that a mesh bounds? FilterTilesToM of the
-// microstructure paper, with proofs. Theory: docs/THEORY.md, microstructures.  Design:
-// docs/design/0074-filtering-tiles.md.
+// microstructure paper, with proofs. Design: docs/design/0074-filtering-tiles.md.
 #pragma once
 #include <array>
 #include <memory>
@@ -16,9 +15,9 @@ namespace veritope {
 
 /// What a cell may cost before it is undecided.
 struct TileFilterLimits {
-  int max_pieces = 20000;     ///< parts of patches, all together
-  int max_depth = 90;         ///< halvings of one patch
-  int max_exact_pieces = 64;  ///< parts whose contact with facets is examined in rationals
+  int max_pieces = 20000;       ///< parts of patches, all together
+  int max_depth = 90;           ///< halvings of one patch
+  int max_exact_points = 5000;  ///< control points of parts whose contact is examined in rationals
 };
 
 /// The part [lo, hi] of the domain of a map of [0,1]^3 into space, rational or polynomial: the tile in [0,1]^3 is first

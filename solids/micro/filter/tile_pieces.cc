@@ -10,8 +10,8 @@ namespace veritope::internal {
 
 namespace {
 
-// |f - bilinear interpolant| <= (max |f_uu| + max |f_vv|) / 8 on the unit square. What an axis contributes, by the chain
-// rule for f = F(P(u, v)).
+// |f - bilinear interpolant| <= (max |f_uu| + max |f_vv|) / 8 on the unit square. What an axis contributes, by the
+// chain rule for f = F(P(u, v)).
 Point3d bend_of(const MapBounds& map, const Point3d& first, const Point3d& second) {
   Point3d out{};
   for (std::size_t c = 0; c < 3; ++c) {

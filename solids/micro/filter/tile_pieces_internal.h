@@ -41,11 +41,12 @@ class TilePieces {
  public:
   TilePieces(const CellNet& net, const TileShape& tile);
 
+  const CellNet& net() const { return net_; }
   const TileShape& tile() const { return tile_; }
   /// Contain the images of the tile's corners.
   const std::vector<Box3>& corners() const { return corners_; }
-  /// Computes the bounds on which root and halves depend. Separate, since corners often suffice. Returns false if there
-  /// are none, because a weight of the map may be 0.
+  /// Computes the bounds on which root and halves depend. Separate, since corners often suffice. Returns false if a
+  /// weight of the map may be 0, so that derivatives have no bounds.
   bool bound();
   /// The whole patch. REQUIRES bound().
   TilePiece root(std::uint32_t patch) const;

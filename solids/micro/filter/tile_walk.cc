@@ -28,7 +28,7 @@ Value3 TileWalk::note(const TilePiece& piece, std::size_t corner) {
   return value;
 }
 
-// The same without boxes. REQUIRES a point off the surface of M.
+// Notes where a point lies, in rationals. REQUIRES a point off the surface of M.
 void TileWalk::note_exactly(const TilePatchPoint& at) {
   const PointAnswer answer = model_.classifier().classify(cell_.image(tile(), at));
   VT_CHECK(!answer.is_on(), "a point of a part that misses the surface lies on it");
@@ -102,14 +102,27 @@ bool TileWalk::settle(OpenPiece* open) {
     apart_.push_back(open->piece);
     return true;
   }
-  if (num_exact_ >= limits_.max_exact_pieces || !looks_like_contact(*open)) return false;
-  ++num_exact_;
-  switch (exact_side(model_, open->piece, exact_.piece(open->piece), open->facets, &contact_)) {
-    case PieceSide::kApart: apart_.push_back(open->piece); return true;
-    case PieceSide::kInside: touches_inside_ = true; return true;
-    case PieceSide::kOff: touches_off_ = true; return true;
-    default: return false;
+  if (num_exact_ >= limits_.max_exact_points || !looks_like_contact(*open)) return false;
+  PieceSide side;
+  const auto examine = [&](const std::optional<ExactControl>& control) {
+    if (!control) return;
+    num_exact_ += static_cast<int>(control->points.size());
+    side = exact_side(model_, open->piece, *control, open->facets, &contact_);
+  };
+  examine(exact_.around(open->piece));
+  const auto num_points = exact_.num_points(open->piece.patch);
+  if (!side.is_decided && num_points + static_cast<std::size_t>(num_exact_) <=
+                              static_cast<std::size_t>(limits_.max_exact_points))
+    examine(exact_.control(open->piece));
+  if (!side.is_decided) return false;
+  if (side.is_apart) {
+    apart_.push_back(open->piece);
+    return true;
   }
+  is_touching_ = true;
+  is_near_inside_ = is_near_inside_ && side.is_near_inside;
+  is_near_outside_ = is_near_outside_ && side.is_near_outside;
+  return true;
 }
 
 void TileWalk::halve(const OpenPiece& open, std::vector<OpenPiece>* out) {
@@ -174,7 +187,7 @@ CellFinding TileWalk::found(CellStatus status) const {
 }
 
 // Vertices of shells in the tile. Nothing if every shell has a vertex off the tile.
-std::optional<CellFinding> TileWalk::find_shells_inside(bool is_touching) {
+std::optional<CellFinding> TileWalk::find_shells_inside() {
   Box3d box = empty_box();
   for (std::uint32_t i = 0; i < tile().patches().size(); ++i)
     box = hull(box, box_of(pieces_.root(i)));
@@ -184,7 +197,7 @@ std::optional<CellFinding> TileWalk::find_shells_inside(bool is_touching) {
     const auto vertices = model_.shell_vertices(shell);
     // A shell that does not meet the tile's surface lies on one side of it: any vertex tells.
     const std::size_t step =
-        is_touching ? std::max<std::size_t>(1, vertices.size() / kMaxShellVertices) : 1;
+        is_touching_ ? std::max<std::size_t>(1, vertices.size() / kMaxShellVertices) : 1;
     int num_tried = 0;
     for (std::size_t i = 0; i < vertices.size() && num_tried < kMaxShellVertices; i += step) {
       ++num_tried;
@@ -205,7 +218,6 @@ std::optional<CellFinding> TileWalk::find_shells_inside(bool is_touching) {
 CellFinding TileWalk::finish() {
   if (is_crossing()) return found(CellStatus::kCrossing);
   if (has_unsettled_) return found(CellStatus::kUndecided);
-  const bool is_touching = touches_inside_ || touches_off_;
   // One point of every part that misses the surface of M.
   for (std::uint32_t i = 0; i < is_patch_apart_.size() && !is_crossing(); ++i) {
     if (is_patch_apart_[i] == 0) continue;
@@ -221,15 +233,16 @@ CellFinding TileWalk::finish() {
     if (!is_known) note_exactly({piece.patch, piece.parameter(0, 0), piece.parameter(1, 0)});
   }
   if (is_crossing()) return found(CellStatus::kCrossing);
-  if ((touches_inside_ && (touches_off_ || off_)) || (touches_off_ && inside_))
-    return found(CellStatus::kUndecided);
-  const bool is_inside = touches_inside_ || inside_;
-  if (std::optional<CellFinding> shell = find_shells_inside(is_touching)) return *shell;
-  if (!is_touching) return found(is_inside ? CellStatus::kKept : CellStatus::kOutside);
+  // Either every point of the tile's surface is in M, or none is in its interior.
+  const bool is_inside = is_near_inside_ && !off_;
+  if (!is_inside && !(is_near_outside_ && !inside_)) return found(CellStatus::kUndecided);
+  if (std::optional<CellFinding> shell = find_shells_inside()) return *shell;
+  if (!is_touching_) return found(is_inside ? CellStatus::kKept : CellStatus::kOutside);
   return found(contact_ ? CellStatus::kTouching : CellStatus::kUndecided);
 }
 
 CellFinding TileWalk::run() {
+  if (!is_finite(pieces_.net().hull())) return found(CellStatus::kUndecided);
   note_corners();
   if (is_crossing()) return found(CellStatus::kCrossing);
   if (!pieces_.bound()) return found(CellStatus::kUndecided);

@@ -43,7 +43,7 @@ class TileWalk {
   void halve(const OpenPiece& open, std::vector<OpenPiece>* out);
   CellFinding finish();
   CellFinding found(CellStatus status) const;
-  std::optional<CellFinding> find_shells_inside(bool is_touching);
+  std::optional<CellFinding> find_shells_inside();
 
   const TileFilter::Model& model_;
   const CellMap& cell_;
@@ -57,7 +57,9 @@ class TileWalk {
   std::vector<TilePiece>
       apart_;  ///< parts of patches that are apart from all facets, where not the whole patch is
   std::vector<char> is_patch_apart_;
-  bool has_unsettled_ = false, touches_inside_ = false, touches_off_ = false;
+  bool has_unsettled_ = false, is_touching_ = false;
+  /// Whether every point of the touching parts is a limit of points in the interior of M, or off M.
+  bool is_near_inside_ = true, is_near_outside_ = true;
   int num_pieces_ = 0, num_exact_ = 0;
 };
 

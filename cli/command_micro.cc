@@ -16,6 +16,7 @@
 #include "report/report_text.h"
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
+#include "solids/micro/synthesis/cage_around.h"
 #include "solids/micro/synthesis/filter_tiles.h"
 #include "solids/micro/synthesis/wall_thickness.h"
 #include "solids/vmodel/v_parts.h"
@@ -174,7 +175,26 @@ class MicroRun {
                      *options_.model + ": the model is " + verdict_name(certified->verdict) + ": " +
                          text_of(certified->findings.front())});
     solid_ = std::move(std::get<MeshFile>(model));
-    return kExitValid;
+    return contain();
+  }
+  ExitCode contain() {
+    const Result<std::optional<CageEscape>> found = find_escape(*model_, solid_->mesh);
+    if (!found) return refuse(found.error());
+    if (!found->has_value()) return kExitValid;
+    const CageEscape& escape = **found;
+    MicroRunReport::Defect defect{
+        "cage", {}, {}, {}, *options_.model + ": triangle " + std::to_string(escape.triangle)};
+    if (escape.vertex)
+      defect.message += " does not lie inside of the cage: vertex " +
+                        std::to_string(*escape.vertex) + " is on its border or outside";
+    else
+      defect.message += " is not proved to lie inside of the cage";
+    if (escape.face) {
+      defect.wall = v_face_name(*escape.face % 6);
+      defect.message += "; it may meet the face " + *defect.wall + " of volume " +
+                        std::to_string(*escape.face / 6);
+    }
+    return refute(std::move(defect), escape.vertex ? kExitInvalid : kExitUndecided);
   }
 
   ExitCode fill() {

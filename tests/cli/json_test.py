@@ -64,6 +64,9 @@ class Schema(Folder):
         (self.folder / "tree.json").write_text(TREE)
         yield json.loads(run("build", self.folder / "tree.json", "-o", self.folder / "t.vjson", "--json", "-").stdout)
         yield json.loads(run("cage", "hull", "--around", MODELS / "valid_frame.off", "-o", self.folder / "h.vjson", "--json", "-").stdout)
+        yield json.loads(run("micro", "--cage", self.folder / "h.vjson", "--tile", "jack", "--counts", "1,1,2", "-o", self.folder / "h.vmicro", "--json", "-").stdout)
+        yield json.loads(run("micro", "--cage", self.folder / "h.vjson", "--tile", "jack", "--counts", "1,1,2", "--thickness", "9", "-o", self.folder / "g.vmicro", "--json", "-").stdout)
+        yield json.loads(run("certify", "--json", "-", self.folder / "h.vmicro").stdout)
         yield json.loads(run("cage", "radial", "--outer", 1, "--height", "0,1", "--sector", 50, "-o", self.folder / "h.vjson", "--json", "-").stdout)
         yield json.loads(run("classify", MODELS / "valid_frame.off", self.folder / "points.txt", "-o", self.folder / "a", "--json", "-", "--certificate", self.folder / "p").stdout)
         yield json.loads(run("inspect", MODELS / "splines" / "two_cubes.mesh", "--json", "-").stdout)
@@ -141,7 +144,7 @@ class Schema(Folder):
         commands = re.findall(r"(?m)^  ([a-z-]+) {2,}", run("--help").stdout.split("Subcommands:")[1])
         self.assertIn("selftest", commands)
         with_json = [name for name in commands if "--json" in run(name, "--help").stdout]
-        self.assertEqual(sorted(with_json), ["boolean", "build", "cage", "certify", "chain", "classify", "convert", "cover", "info", "inspect", "intersect", "project", "render"])
+        self.assertEqual(sorted(with_json), ["boolean", "build", "cage", "certify", "chain", "classify", "convert", "cover", "info", "inspect", "intersect", "micro", "project", "render"])
 
     def test_every_key_is_required_and_no_other_is_allowed(self):
         document = support.report(MODELS / "m2_copied_face.off", MODELS / "valid_frame.off", MODELS / "unreadable_index.off")

@@ -73,6 +73,8 @@ def command_lines():
     yield ["cage", "radial", "--outer", "2", "--height", "0,1", "--sector", "50", "-o", "o.vjson"]
     yield ["cage", "hull", "--around", "tests/models/valid_nested_three.off", "-o", "o.vjson"]
     yield ["cage", "radial", "--around", "tests/models/valid_nested_three.off", "--sector", "90", "-o", "x.vjson"]
+    yield ["micro", "--cage", "box.vjson", "--tile", "jack", "--counts", "3,3,3", "--model", "examples/sound_part.stl", "-o", "o.vmicro"]
+    yield ["micro", "--cage", "box.vjson", "--tile", "jack", "--counts", "1,1,1", "--thickness", "x/7", "-o", "x.vmicro"]
     yield ["cage", "split", "--of", "box.vjson", "--at", "u=1/2", "--open", "w1", "--from", "1/2", "--low", "0,0,1", "-o", "x.vjson"]
     yield ["classify", "e.json", "examples/sound_part.stl"]
     yield ["certify", "e.json"]

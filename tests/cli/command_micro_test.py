@@ -8,8 +8,11 @@ import schema
 import support
 from support import run
 
-CUBE = "OFF\n8 6 0\n" + "".join("%s %s %s\n" % (x, y, z) for z in (LO := "1", HI := "7") for y in (LO, HI) for x in (LO, HI)) + (
-    "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n")
+def cube(low, high):
+    """The cube [low, high]^3."""
+    ends = (low, high)
+    return "OFF\n8 6 0\n" + "".join(f"{x} {y} {z}\n" for z in ends for y in ends for x in ends) + (
+        "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n")
 
 
 class MicroCommand(support.Folder):
@@ -48,11 +51,11 @@ class MicroCommand(support.Folder):
             self.assertEqual((report["tiles"]["total"], report["genus"]), (60, 2 * 60 - 12 - 20 - 15 + 1))
 
     def test_tiles_are_kept_in_the_interior_of_the_model(self):
-        cube = self.folder / "cube.off"
-        cube.write_text(CUBE)
+        solid = self.folder / "cube.off"
+        solid.write_text(cube(1, 7))
         listed = self.folder / "cells.csv"
         # Cells of length 1: the solid is [1, 7]^3. Its walls are walls of cells, so that the outermost tiles touch them with their caps.
-        report = self.micro("--model", cube, "--list", listed, counts="8,8,8")
+        report = self.micro("--model", solid, "--list", listed, counts="8,8,8")
         self.assertEqual(report["tiles"], {"total": 512, "kept": 64, "crossing": 0, "touching": 216 - 64 + 6 * 36, "outside": 512 - 216 - 6 * 36, "undecided": 0})
         lines = listed.read_text().splitlines()
         self.assertEqual(lines[0], "volume,i,j,k,status")
@@ -62,7 +65,7 @@ class MicroCommand(support.Folder):
         self.assertIn("0,0,0,0,outside", lines)
         self.assertEqual(json.loads(self.out.read_text())["model"]["name"], "cube.off")
         for jobs in (1, 2):
-            self.micro("--model", cube, "--jobs", jobs, counts="8,8,8")
+            self.micro("--model", solid, "--jobs", jobs, counts="8,8,8")
             self.assertEqual(support.only_file(self.out)["sha256"], report["output"]["sha256"])
 
     def test_thickness_is_a_number_of_each_wall(self):
@@ -92,12 +95,12 @@ class MicroCommand(support.Folder):
         folded.write_text(json.dumps(text))
         self.assertEqual(self.micro(cage=folded, expect=1)["defects"][0]["code"], "cage")
         outside = self.folder / "outside.off"
-        outside.write_text(CUBE.replace("7", "9"))
+        outside.write_text(cube(1, 9))
         defect = self.micro("--model", outside, expect=1)["defects"][0]
         self.assertEqual(defect["code"], "cage")
         self.assertIn("does not lie inside of the cage", defect["message"])
         open_mesh = self.folder / "open.off"
-        open_mesh.write_text(CUBE.replace("8 6 0", "8 5 0").replace("4 1 3 7 5\n", ""))
+        open_mesh.write_text(cube(1, 7).replace("8 6 0", "8 5 0").replace("4 1 3 7 5\n", ""))
         self.assertEqual(self.micro("--model", open_mesh, expect=1)["defects"][0]["code"], "model")
         self.assertEqual(self.micro(tile="jack,node=1/20,cap=9/20", expect=1)["defects"][0]["code"], "F1")
 

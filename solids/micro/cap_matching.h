@@ -40,8 +40,8 @@ class CapMatcher {
   /// The caps of two walls of tiles. `numbers`: those of the two cells.
   CapMatch match(const WallPair& pair, const std::array<std::uint32_t, 2>& tiles,
                  const std::array<WallNumbers, 2>& numbers);
-  /// The answer for all numbers, if the caps depend on none but the number of their wall, which both walls of the pair
-  /// share; null if it depends on the numbers. REQUIRES pair.has_shared_number.
+  /// The answer for all numbers, if the caps depend on none but the number of their wall, which both walls of the
+  /// pair share; null if it depends on the numbers. REQUIRES pair.has_shared_number.
   const CapMatch* match_for_all(const WallPair& pair, const std::array<std::uint32_t, 2>& tiles);
 
  private:

@@ -14,8 +14,9 @@ namespace veritope {
 /// The tile with arms to these walls, a bit for each wall 2 axis + end.
 using TileOfArms = std::function<Result<MicroTile>(unsigned arms)>;
 
-/// Cells over all parameters of all volumes, counts along the axes of each volume (make_micro_grid), all with the tile;
-/// without an arm to a wall that lies in a collapsed face of the cage. Numbers of walls are all 0 where the tile needs them.
+/// Cells over all parameters of all volumes, counts along the axes of each volume (make_micro_grid), all with the
+/// tile; without an arm to a wall that lies in a collapsed face of the cage. Numbers of walls are all 0 where the
+/// tile needs them.
 /// @error as make_micro_grid and the tile; kOverLimit: more than max_cells cells in all
 /// REQUIRES that the model is that of the cage.
 Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
@@ -28,8 +29,8 @@ struct GridWall {
   std::size_t axis = 0;
   std::array<std::size_t, 3> at{};
 };
-/// Gives each wall of a cell with a tile its number, and the others 0. A wall that lies in two glued faces of the cage has one
-/// number, that of the first of its grids: the function is called once for it.
+/// Gives each wall of a cell with a tile its number, and the others 0. A wall that lies in two glued faces of the
+/// cage has one number, that of the first of its grids: the function is called once for it.
 /// @error that of the function
 /// REQUIRES micro.has_walls(), and that the model is that of the cage.
 Status number_walls(const VModel& model,

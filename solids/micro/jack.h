@@ -14,12 +14,13 @@ struct JackShape {
   Rational node =
       Rational(1) / Rational(5);  ///< half the edge of the cube in the middle, in (0, 1/2)
   Rational cap = Rational(1) / Rational(8);  ///< half the edge of each arm's end, in (0, 1/2)
-  /// 1: each arm is a frustum. 3: its profile is (node, node, cap, cap), so that arms of neighbours join with one tangent
-  /// plane.
+  /// 1: each arm is a frustum. 3: its profile is (node, node, cap, cap), so that arms of neighbours join with one
+  /// tangent plane.
   int degree = 3;
   /// A bit for each wall 2 axis + end to which an arm reaches; the cube is closed on the other sides.
   unsigned arms = 63;
-  /// If set, `cap` is not used: half the edge of each end is the number of its wall, in this range of 2^-20, inside (0, 1/2).
+  /// If set, `cap` is not used: half the edge of each end is the number of its wall, in this range of 2^-20, inside
+  /// (0, 1/2).
   std::optional<std::array<std::int32_t, 2>> range;
 };
 

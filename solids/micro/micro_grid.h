@@ -9,9 +9,9 @@
 
 namespace veritope {
 
-/// Cells without tiles and without numbers of walls. Along each axis there are counts[axis] intervals: each span between
-/// different knots is cut into equal ones, at least one. Of the others each span has the whole part of its share, by length; those
-/// that are left go to the spans with the largest remainders, of equal ones to the first.
+/// Cells without tiles and without numbers of walls. Along each axis there are counts[axis] intervals. Each span
+/// between different knots is cut into equal ones: first it gets one, then the whole part of its share of the others,
+/// by length; those that are left go to the spans with the largest remainders, of equal ones to the first.
 /// @error kBadArgument: fewer intervals than spans along an axis; kOverLimit: more than kMaxMicroCells cells
 Result<MicroGrid> make_micro_grid(const VVolume& volume, std::uint32_t number,
                                   const std::array<std::uint64_t, 3>& counts);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/micro_tile.h: tiles of microstructures: closed surfaces in the unit cube whose patches depend on numbers
-// of the cube's walls. The format and its limits: docs/formats/micro-files.md. Nothing here is proved to be a solid:
-// see tile_analysis.h.
+// solids/micro/micro_tile.h: tiles of microstructures: closed surfaces in the unit cube whose patches depend on
+// numbers of the cube's walls. The format and its limits: docs/formats/micro-files.md. Nothing here is proved to be a
+// solid: see tile_analysis.h.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -25,8 +25,8 @@ inline constexpr std::int32_t kMaxWallNumber = 1 << kWallBits;
 
 using TilePoint = std::array<Rational, 3>;
 
-/// A polynomial map of [0,1]^2 into the unit cube. Its Bernstein coefficients are points[0] + points[1] t + ..., where
-/// t is the number of a wall.
+/// A polynomial map of [0,1]^2 into the unit cube. Its Bernstein coefficients are points[0] + points[1] t + ...,
+/// where t is the number of a wall.
 struct TilePatch {
   /// 2 axis + end of the wall whose number t is; nothing if there is only points[0].
   std::optional<int> wall;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/micro_topology.h: how the tiles of a microstructure hang together. The conditions G1, G2 and T4, and the
-// numbers of docs/certificates/microstructure.md, section 7.
+// solids/micro/micro_topology.h: how the tiles of a microstructure hang together. The conditions G1, G2 and T4, and
+// the numbers of docs/certificates/microstructure.md, section 7.
 #pragma once
 #include <cstdint>
 #include <string>

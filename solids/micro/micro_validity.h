@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/micro_validity.h: what docs/formats/micro-files.md demands of the parts of a microstructure, one by one,
-// so that a reader knows the line of what it refuses. All together: validate() of microstructure.h.
+// solids/micro/micro_validity.h: what docs/formats/micro-files.md demands of the parts of a microstructure, one by
+// one, so that a reader knows the line of what it refuses. All together: validate() of microstructure.h.
 // @error of all functions: kBadArgument, kOverLimit; the message names the part and the value
 #pragma once
 #include <array>
@@ -19,8 +19,8 @@ bool is_sha256_text(std::string_view text);
 /// A volume of the cage: a map to space with clamped axes and positive weights.
 Status check_cage_volume(const VVolume& volume, std::size_t number);
 Status check_tile(const MicroTile& tile, std::size_t number);
-/// The volume and the breaks of a grid, and whether it comes after the grid before it. Adds its cells to `cells`, those
-/// of the grids before it. REQUIRES check_cage_volume of all volumes, and cells <= kMaxMicroCells.
+/// The volume and the breaks of a grid, and whether it comes after the grid before it. Adds its cells to `cells`,
+/// those of the grids before it. REQUIRES check_cage_volume of all volumes, and cells <= kMaxMicroCells.
 Status check_breaks(const Microstructure& micro, std::size_t grid, std::uint64_t& cells);
 /// Two grids of one volume whose boxes have a common inner point, the lower number first, if such grids exist.
 /// REQUIRES check_breaks of all grids.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/microstructure.h: tiles in the cells of grids in the parameters of a cage: a microstructure as its file
-// has it (docs/formats/micro-files.md). Nothing is composed, and nothing is proved.
-// Source: [HPE22], section 3. Design: docs/design/0071-microstructures.md.
+// solids/micro/microstructure.h: tiles in the cells of grids in the parameters of a cage: a microstructure as its
+// file has it (docs/formats/micro-files.md). Nothing is composed, and nothing is proved. Source: [HPE22], section 3.
+// Design: docs/design/0071-microstructures.md.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/tile_analysis.h: proves that all members of a tile are embedded spheres, star-shaped about one point, and
-// finds where they touch the walls of the unit cube. The conditions S0, F1, F2, T2 and T3 of
+// solids/micro/tile_analysis.h: proves that all members of a tile are embedded spheres, star-shaped about one point,
+// and finds where they touch the walls of the unit cube. The conditions S0, F1, F2, T2 and T3 of
 // docs/certificates/microstructure.md. Theory: docs/THEORY.md, MICRO-1.
 #pragma once
 #include <array>

@@ -12,8 +12,8 @@
 
 namespace veritope {
 
-/// S(u, v, t) in Bernstein form, with t from the least to the greatest number of the range brought to [0, 1]. Where no
-/// number matters, or the range is one number, the degree along the third axis is 0.
+/// S(u, v, t) in Bernstein form, with t from the least to the greatest number of the range brought to [0, 1]. Where
+/// no number matters, or the range is one number, the degree along the third axis is 0.
 BezierVolume<Rational> family_of(const TilePatch& patch,
                                  const std::optional<std::array<std::int32_t, 2>>& range);
 
@@ -23,8 +23,8 @@ BezierVolume<Rational> star_product(const BezierVolume<Rational>& family, const 
 /// The height over wall 2 axis + end of the unit cube: x_axis, or 1 - x_axis.
 BezierVolume<Rational> height_over(const BezierVolume<Rational>& family, int wall);
 
-/// Side s of a patch runs from its corner s to its corner s + 1, counterclockwise, seen from outside: v = 0, u = 1, v = 1,
-/// u = 0. Corners: (0, 0), (1, 0), (1, 1), (0, 1).
+/// Side s of a patch runs from its corner s to its corner s + 1, counterclockwise, seen from outside: v = 0, u = 1, v
+/// = 1, u = 0. Corners: (0, 0), (1, 0), (1, 1), (0, 1).
 inline constexpr std::size_t kTileSides = 4;
 /// The index of the i-th control point of a side, in its direction of travel, in a net of (p + 1) x (q + 1).
 constexpr std::size_t tile_side_index(const std::array<int, 2>& degrees, std::size_t side,

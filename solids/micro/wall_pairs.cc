@@ -54,7 +54,8 @@ class PairVisitor {
     }
   }
 
-  // Meetings of the walls at the end of an axis with those of other grids of the volume, and of both ends with glued faces.
+  // Meetings of the walls at the end of an axis with those of other grids of the volume, and of both ends with glued
+  // faces.
   void outer_walls(std::uint32_t g, std::size_t axis) {
     const MicroGrid& m = grid(g);
     const auto at_end = static_cast<int>(2 * axis + 1);

@@ -29,8 +29,8 @@ struct WallPlacement {
   friend bool operator==(const WallPlacement&, const WallPlacement&) = default;
 };
 
-/// Two walls with a common inner point, in the parameters of one face. If their rectangles are equal, these are brought
-/// to [0, 1], and the first wall is placed as it is.
+/// Two walls with a common inner point, in the parameters of one face. If their rectangles are equal, these are
+/// brought to [0, 1], and the first wall is placed as it is.
 struct WallPair {
   std::array<CellWall, 2> walls;
   const std::array<WallPlacement, 2>* placements = nullptr;  ///< null: both as they are
@@ -41,8 +41,8 @@ struct WallPair {
 inline constexpr std::uint64_t kMaxWallMeetings = std::uint64_t{1} << 24;
 
 /// Calls visit for each pair of cells with tiles, the pairs in grids first, until it returns false. Returns false if
-/// there are more than kMaxWallMeetings pairs of walls, with or without tiles, that do not lie in one grid; then the visits are not
-/// complete.
+/// there are more than kMaxWallMeetings pairs of walls, with or without tiles, that do not lie in one grid; then the
+/// visits are not complete.
 /// REQUIRES that the cage is that of micro.
 bool for_each_wall_pair(const Microstructure& micro, const VModel& cage,
                         const std::function<bool(const WallPair&)>& visit);

@@ -42,6 +42,7 @@ MicroTile jack(std::optional<std::array<std::int32_t, 2>> range = std::nullopt) 
 }
 constexpr std::int32_t kEighth = kMaxWallNumber / 8;
 
+// PROVES MICRO-1
 TEST(MicroTopology, BlocksOfJacksHaveTheGenusOfTheirGraph) {
   for (const std::array<std::uint64_t, 3>& n :
        {std::array<std::uint64_t, 3>{1, 1, 1}, {2, 1, 1}, {2, 2, 1}, {3, 4, 5}}) {

@@ -26,6 +26,7 @@ COMMANDS = {
     "collar-2": (pathlib.Path(__file__).parent / "normals_zero_at_corners.itd", "--collar"),
     "vmodel-1": (PATCHES / "left_handed_nearest_valid.itd", "--orient", "auto"),
     "vmodel-invalid-1": (PATCHES / "left_handed_smallest.itd", "--orient", "keep"),
+    "microstructure-1": (MODELS / "micro" / "three_cells.vmicro",),
 }
 
 

@@ -10,11 +10,12 @@ namespace veritope {
 /// What is known without a proof: volumes, kinds, cells and tiles.
 MicroFacts micro_facts_of(const Microstructure& micro);
 
-/// VALID with its certificate (microstructure-1), or UNDECIDED: "not-certified", with the condition of the page that is not
-/// proved to hold and the place in the cage's parameters; or "not-covered".
+/// VALID with its certificate (microstructure-1), or UNDECIDED: "not-certified", with the condition of the page that
+/// is not proved to hold and the place in the cage's parameters; or "not-covered".
 /// @param subject  the bytes of the file
 /// REQUIRES validate(micro).
-/// @cost  that of certify for the cage; polynomial in the degrees of the tiles; near-linear in the cells, 20 bytes each
+/// @cost  that of certify for the cage; polynomial in the degrees of the tiles; near-linear in the cells, 20 bytes
+/// each
 Certified certify_microstructure(const Microstructure& micro, const certificate::Subject& subject,
                                  const CertifyOptions& options);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/synthesis/filter_tiles.h: FilterTilesToM, Algorithm 2 of [HPE22]: the tiles of a microstructure that lie
-// in the interior of a solid. Design: docs/design/0074-filtering-tiles.md.
+// solids/micro/synthesis/filter_tiles.h: FilterTilesToM, Algorithm 2 of [HPE22]: the tiles of a microstructure that
+// lie in the interior of a solid. Design: docs/design/0074-filtering-tiles.md.
 #pragma once
 #include <vector>
 
@@ -10,7 +10,8 @@
 
 namespace veritope {
 
-/// Takes away the tiles that are not proved to lie in the interior of the solid. The result does not depend on `jobs`.
+/// Takes away the tiles that are not proved to lie in the interior of the solid. The result does not depend on
+/// `jobs`.
 /// @return the status of each cell of each grid. Cells without a tile before are kOutside.
 /// @error as filter_grid
 /// REQUIRES micro as validate() accepts it, but for walls without neighbours; its volumes are one to one, its tiles

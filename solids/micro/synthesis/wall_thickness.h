@@ -16,7 +16,8 @@ inline constexpr std::array<const char*, 6> kWallVariables = {"x", "y", "z", "u"
 
 /// Each wall between tiles gets the value of the formula at its middle, rounded to a multiple of 2^-20, once for both
 /// neighbours (number_walls). Then the range of each tile that has one becomes that of all these numbers.
-/// @error kBadArgument: no value, a value that is not decided, or one outside of the limits; the wall and the value are named
+/// @error kBadArgument: no value, a value that is not decided, or one outside of the limits; the wall and the value
+/// are named
 /// REQUIRES a formula of kWallVariables, and what number_walls requires.
 Status number_walls_by(const RealFormula& formula, const VModel& model,
                        const std::array<std::int32_t, 2>& limits, Microstructure& micro);

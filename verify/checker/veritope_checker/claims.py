@@ -44,8 +44,8 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("collar-1", b"VTSB", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
     Claim("collar-2", b"VTS2", SPLINES, {**OF_STARS, "cells": int}, "collar.collar_check"),
     Claim("vmodel-1", b"VTVM", VOLUMES, OF_VMODELS, "vmodel.vmodel_check"),
-    Claim("microstructure-1", b"VTMS", ("vmicro",), OF_MICROSTRUCTURES, "micro.micro_check"),
     Claim("vmodel-invalid-1", b"VTVI", VOLUMES, {"finding": V_FINDINGS, "cells": int}, "vmodel.vmodel_invalid_check"),
+    Claim("microstructure-1", b"VTMS", ("vmicro",), OF_MICROSTRUCTURES, "micro.micro_check"),
 )}
 
 def lines():

@@ -88,7 +88,9 @@ TEST(MicroMesh, RandomStructuresHaveValidMeshes) {
       const auto mesh = subject.mesh(chord);
       ASSERT_TRUE(mesh.has_value()) << seed << ": " << mesh.error().message;
       EXPECT_LE(mesh->distance, chord);
-      fprintf(stderr, "%d %s tiles %d facets %zu dist %g chord %g\n", (int)seed, s.description.c_str(), (int)subject.counts().tiles, mesh->mesh.faces.size(), mesh->distance, chord);
+      fprintf(stderr, "%d %s tiles %d facets %zu dist %g chord %g\n", (int)seed,
+              s.description.c_str(), (int)subject.counts().tiles, mesh->mesh.faces.size(),
+              mesh->distance, chord);
       expect_valid(subject, *mesh, "seed " + std::to_string(seed) + ": " + s.description);
     }
   }

@@ -69,8 +69,8 @@ class Maker {
     }
     out_.description = model.description;
     if (random_.below(3) == 0)
-      model.cells = random_v_models::affine_image(model.cells,
-                                                  random_v_models::random_affine_map(random_));
+      model.cells =
+          random_v_models::affine_image(model.cells, random_v_models::random_affine_map(random_));
     std::set<Rational> places;
     for (VVolume& cell : model.cells) {
       cell = v_cells::turned(std::move(cell), static_cast<unsigned>(random_.below(48)));
@@ -140,10 +140,10 @@ class Maker {
       unsigned arms = 63;
       for (unsigned w = 0; w < 6; ++w) {
         const std::size_t a = w / 2;
-        const bool is_outer = w % 2 == 0
-                                  ? at[a] == 0 && grid.breaks[a].front() == volume.axis(a).domain_begin()
-                                  : at[a] + 1 == shape.size[a] &&
-                                        grid.breaks[a].back() == volume.axis(a).domain_end();
+        const bool is_outer =
+            w % 2 == 0 ? at[a] == 0 && grid.breaks[a].front() == volume.axis(a).domain_begin()
+                       : at[a] + 1 == shape.size[a] &&
+                             grid.breaks[a].back() == volume.axis(a).domain_end();
         if (is_outer && cage.face(v, w).is_collapsed()) arms &= ~(1u << w);
       }
       grid.tiles.push_back(tile_for(arms));
@@ -183,8 +183,8 @@ class Maker {
     }
     const auto [found, is_new] = numbers_.try_emplace(std::move(text));
     if (is_new)
-      found->second = static_cast<std::int32_t>(
-          random_.between((*shape_.range)[0], (*shape_.range)[1]));
+      found->second =
+          static_cast<std::int32_t>(random_.between((*shape_.range)[0], (*shape_.range)[1]));
     return found->second;
   }
 

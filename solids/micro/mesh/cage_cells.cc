@@ -7,6 +7,7 @@
 #include "solids/micro/mesh/cage_cells_internal.h"
 #include "splines/binomial.h"
 #include "splines/blossom_weights.h"
+#include "splines/de_casteljau_line.h"
 
 namespace veritope::internal {
 namespace {
@@ -40,16 +41,25 @@ struct WideNet {
   std::array<std::size_t, 3> size;
   std::vector<Interval> values;
 };
-// The greatest length of a coefficient.
-double longest(const WideNet& net, std::size_t components) {
-  double most = 0;
-  for (std::size_t at = 0; at < net.values.size(); at += 4) {
-    Interval square = sqr(net.values[at]);
-    for (std::size_t c = 1; c < components; ++c) square += sqr(net.values[at + c]);
-    if (square.is_empty() || !(square.hi() < kInfinite)) return kInfinite;
-    most = std::max(most, square.hi());
-  }
-  return length_of(Interval(most));
+// The greatest length of a coefficient; of those at the corners, which are values of the map.
+struct Lengths {
+  double most = 0, at_corners = 0;
+};
+Lengths longest(const WideNet& net, std::size_t components) {
+  Lengths out;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < net.size[0]; ++i)
+    for (std::size_t j = 0; j < net.size[1]; ++j)
+      for (std::size_t k = 0; k < net.size[2]; ++k, at += 4) {
+        Interval square = sqr(net.values[at]);
+        for (std::size_t c = 1; c < components; ++c) square += sqr(net.values[at + c]);
+        if (square.is_empty() || !(square.hi() < kInfinite)) return {kInfinite, 0};
+        out.most = std::max(out.most, square.hi());
+        if ((i == 0 || i + 1 == net.size[0]) && (j == 0 || j + 1 == net.size[1]) &&
+            (k == 0 || k + 1 == net.size[2]))
+          out.at_corners = std::max(out.at_corners, square.hi());
+      }
+  return {length_of(Interval(out.most)), length_of(Interval(out.at_corners))};
 }
 WideNet derivative_of(const WideNet& net, std::size_t components, std::size_t axis) {
   WideNet out{net.size, {}};
@@ -72,16 +82,24 @@ WideNet derivative_of(const WideNet& net, std::size_t components, std::size_t ax
 // Pairs of axes, in the order of MapBounds.
 constexpr std::array<std::array<std::size_t, 2>, 6> kAxisPairs = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
-MapBounds derivative_bounds(const WideNet& net, std::size_t components) {
-  MapBounds out;
+struct DerivativeLengths {
+  MapBounds most;
+  double sum = 0, at_corners = 0;  // over all derivatives
+};
+DerivativeLengths derivative_lengths(const WideNet& net, std::size_t components) {
+  DerivativeLengths out;
   std::array<WideNet, 3> first;
+  const auto keep = [&](const Lengths& l, double& most) {
+    most = l.most;
+    out.sum += l.most, out.at_corners += l.at_corners;
+  };
   for (std::size_t a = 0; a < 3; ++a) {
     first[a] = derivative_of(net, components, a);
-    out.first[a] = longest(first[a], components);
+    keep(longest(first[a], components), out.most.first[a]);
   }
   for (std::size_t k = 0; k < kAxisPairs.size(); ++k)
     if (const auto [a, b] = kAxisPairs[k]; first[a].size[b] > 1)
-      out.second[k] = longest(derivative_of(first[a], components, b), components);
+      keep(longest(derivative_of(first[a], components, b), components), out.most.second[k]);
   return out;
 }
 MapBounds no_bounds() {
@@ -127,15 +145,20 @@ Box3 CellMap::value(const Box3& at) const {
   return out;
 }
 
-MapBounds CellMap::bounds() const {
+MapBounds CellMap::whole_bounds(bool& is_loose) const {
+  constexpr double kLoose = 1.25, kUneven = 1.125;
   WideNet points{size_, std::vector<Interval>(4 * num_points())}, weights = points;
   for (std::size_t n = 0; n < num_points(); ++n)
     for (std::size_t c = 0; c < 3; ++c)
       points.values[4 * n + c] = coefficients_[n * num_components_ + c];
-  if (num_components_ == 3) return derivative_bounds(points, 3);
+  if (num_components_ == 3) {
+    const DerivativeLengths lengths = derivative_lengths(points, 3);
+    is_loose = lengths.sum > kLoose * lengths.at_corners;
+    return lengths.most;
+  }
   Interval weight = coefficients_[3];
   for (std::size_t n = 0; n < num_points(); ++n) weight = hull(weight, coefficients_[4 * n + 3]);
-  if (weight.sign() != Sign3::kPositive) return no_bounds();
+  if (weight.sign() != Sign3::kPositive) return is_loose = true, no_bounds();
   // T = middle + G / w, T_a = (G_a - G / w w_a) / w, T_ab = (G_ab - T_a w_b - T_b w_a - G / w w_ab) / w.
   const Box3 image = value(Box3::filled(Interval(0.5)));
   for (std::size_t n = 0; n < num_points(); ++n) {
@@ -148,11 +171,13 @@ MapBounds CellMap::bounds() const {
     const Interval q = x / least;
     return q.is_empty() || !(q.hi() < kInfinite) ? kInfinite : q.hi();
   };
-  const MapBounds above = derivative_bounds(points, 3), below = derivative_bounds(weights, 1);
-  const double radius = quotient(bound(longest(points, 3)));
+  const DerivativeLengths lengths = derivative_lengths(points, 3);
+  const MapBounds &above = lengths.most, below = derivative_lengths(weights, 1).most;
+  is_loose = lengths.sum > kLoose * lengths.at_corners || weight.hi() > kUneven * weight.lo();
   for (const double x : above.first)
     if (x == kInfinite) return no_bounds();
   MapBounds out;
+  const double radius = quotient(bound(longest(points, 3).most));
   for (std::size_t a = 0; a < 3; ++a)
     out.first[a] = quotient(bound(above.first[a]) + bound(radius) * bound(below.first[a]));
   for (std::size_t k = 0; k < kAxisPairs.size(); ++k) {
@@ -161,6 +186,39 @@ MapBounds CellMap::bounds() const {
                              bound(out.first[b]) * bound(below.first[a]) +
                              bound(radius) * bound(below.second[k]));
   }
+  return out;
+}
+
+void CellMap::halve(std::size_t axis, bool keeps_upper) {
+  std::size_t step = num_components_;
+  for (std::size_t a = axis + 1; a < 3; ++a) step *= size_[a];
+  const HalfBlend<Interval> blend{Interval(0.5)};
+  const auto degree = static_cast<int>(size_[axis] - 1);
+  for (std::size_t block = 0; block < coefficients_.size(); block += step * size_[axis])
+    for (std::size_t i = 0; i < step; ++i) {
+      Interval* const first = coefficients_.data() + block + i;
+      if (keeps_upper)
+        keep_right(first, step, degree, blend);
+      else
+        keep_left(first, step, degree, blend);
+    }
+}
+
+MapBounds CellMap::bounds(int depth) const {
+  bool is_loose = false;
+  const MapBounds whole = whole_bounds(is_loose);
+  if (depth == 0 || !is_loose) return whole;
+  MapBounds out;
+  for (unsigned part = 0; part < 8; ++part) {
+    CellMap half = *this;
+    for (std::size_t a = 0; a < 3; ++a) half.halve(a, (part >> a & 1) != 0);
+    const MapBounds b = half.bounds(depth - 1);
+    // In the parameters of the whole cell; twice and four times a number are exact, or infinite.
+    for (std::size_t a = 0; a < 3; ++a) out.first[a] = std::max(out.first[a], 2 * b.first[a]);
+    for (std::size_t k = 0; k < 6; ++k) out.second[k] = std::max(out.second[k], 4 * b.second[k]);
+  }
+  for (std::size_t a = 0; a < 3; ++a) out.first[a] = std::min(out.first[a], whole.first[a]);
+  for (std::size_t k = 0; k < 6; ++k) out.second[k] = std::min(out.second[k], whole.second[k]);
   return out;
 }
 

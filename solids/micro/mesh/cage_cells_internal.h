@@ -26,12 +26,16 @@ class CellMap {
   /// @cost products: the coefficients of all components, and a bit more
   Box3 value(const Box3& at) const;
   /// Polynomial maps: from differences of coefficients. Rational maps: by the quotient rule, with the middle of the cell
-  /// as the origin. Infinite if the coefficients are not finite, or the weights not proved positive.
-  MapBounds bounds() const;
+  /// as the origin. Where the bounds are loose, the cell is halved along all axes, at most `depth` times. Infinite if
+  /// the coefficients are not finite, or the weights not proved positive.
+  MapBounds bounds(int depth) const;
 
  private:
   friend class CageCells;
   std::size_t num_points() const { return size_[0] * size_[1] * size_[2]; }
+  MapBounds whole_bounds(bool& is_loose) const;
+  // Keeps the lower or upper half along an axis.
+  void halve(std::size_t axis, bool keeps_upper);
 
   std::array<std::size_t, 3> size_;  // degrees + 1
   std::size_t num_components_;

@@ -214,17 +214,28 @@ class MicroMesher {
     return cap != AnalysedTile::kNoCap && (cell.dropped >> cap & 1) != 0;
   }
 
+  // The greatest bound of the bends of a cell's patches; keeps those that are the greatest of all cells if `reaches`.
+  double bends_of(const LinkedCell& cell, const MapBounds& bounds, bool reaches) {
+    double most = 0;
+    const auto& slopes = slopes_[links_.kinds[cell.kind].tile];
+    for (std::size_t p = 0; p < slopes.size(); ++p)
+      for (std::size_t axis = 0; axis < 2 && !is_dropped(cell, p); ++axis) {
+        const double bend = bend_of(bounds, slopes[p], axis);
+        most = std::max(most, bend);
+        if (reaches) bends_[numbers_.number(cell.kind, p)][axis].reach(bend);
+      }
+    return most;
+  }
   void find_bends() {
+    const std::size_t cells = links_.cells.size();
+    const int depth = cells <= 1000 ? 3 : cells <= 10000 ? 2 : 1;
     for_each_map(
         [](std::uint32_t) { return true; },
         [&](std::uint32_t, const LinkedCell& cell, const CellMap& map, const WallNumbers&) {
-          const MapBounds bounds = map.bounds();
-          const auto& slopes = slopes_[links_.kinds[cell.kind].tile];
-          for (std::size_t p = 0; p < slopes.size(); ++p) {
-            if (is_dropped(cell, p)) continue;
-            for (std::size_t axis = 0; axis < 2; ++axis)
-              bends_[numbers_.number(cell.kind, p)][axis].reach(bend_of(bounds, slopes[p], axis));
-          }
+          MapBounds bounds = map.bounds(0);
+          // Better ones matter only where a patch has three parts or more.
+          if (bends_of(cell, bounds, false) > 4 * options_.chord) bounds = map.bounds(depth);
+          bends_of(cell, bounds, true);
         });
     for (std::size_t n = 0; n < errors_.size(); ++n)
       errors_[n].along = {bends_[n][0].value(), bends_[n][1].value()};

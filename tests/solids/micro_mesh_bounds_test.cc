@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "interval/upward.h"
+#include "robust/base/random.h"
+#include "solids/micro/mesh/cage_cells_internal.h"
+#include "solids/micro/mesh/quad_gap_internal.h"
+#include "solids/micro/micro_grid.h"
+#include "splines/de_boor.h"
+#include "tests/support/v_cells.h"
+
+namespace veritope {
+namespace {
+
+using internal::CageCells;
+using internal::CageRow;
+using internal::CellMap;
+using internal::MapBounds;
+using internal::quad_gap;
+using Exact = std::array<Rational, 3>;
+
+double gap(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+  const ScopedUpward upward;
+  return quad_gap(a, b, c, d, 0);
+}
+
+TEST(QuadGap, VanishesInPlanes) {
+  EXPECT_EQ(gap({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}), 0);
+  EXPECT_LE(gap({0, 0, 0}, {4, 0, 0}, {3, 1, 0}, {1, 1, 0}), 1e-15);
+  EXPECT_LE(gap({0, 0, 1}, {8, 0, 1}, {5, 3, 1}, {0, 1, 1}), 1e-14);
+}
+TEST(QuadGap, IsAQuarterOfTheTwistOverASquare) {
+  // The bilinear patch z = x y, and its triangles: 1/4 at the middle of the square.
+  EXPECT_EQ(gap({0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}), 0.25);
+}
+TEST(QuadGap, DoesNotTakeAQuadrilateralThatIsNotConvexForAFlatOne) {
+  // The corner c lies inside of the triangle a, b, d; then beyond a.
+  EXPECT_GT(gap({0, 0, 0}, {1, 0, 0}, {0.25, 0.25, 0}, {0, 1, 0}), 0.1);
+  EXPECT_GT(gap({0, 0, 0}, {1, 0, 0}, {-0.5, -0.5, 0}, {0, 1, 0}), 0.1);
+  EXPECT_GT(gap({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}), 0);  // on a line
+}
+// With the same (x, y) over the plane of a, b, d, the patch and the triangles differ by no more.
+TEST(QuadGap, BoundsTheDistanceOfRandomPatches) {
+  Random random(11);
+  for (int round = 0; round < 2000; ++round) {
+    std::array<Vec3d, 4> q;
+    for (Vec3d& p : q) p = {random.unit(), random.unit(), 0.1 * random.unit()};
+    q[1].x += 2, q[2].x += 2, q[2].y += 2, q[3].y += 2;
+    const double bound = gap(q[0], q[1], q[2], q[3]);
+    const auto on_patch = [&](double u, double v, double Vec3d::*c) {
+      return (1 - u) * (1 - v) * q[0].*c + u * (1 - v) * q[1].*c + u * v * q[2].*c +
+             (1 - u) * v * q[3].*c;
+    };
+    for (int sample = 0; sample < 10; ++sample) {
+      const double u = random.unit(), v = random.unit();
+      const Vec3d p = {on_patch(u, v, &Vec3d::x), on_patch(u, v, &Vec3d::y),
+                       on_patch(u, v, &Vec3d::z)};
+      // The distance to the mesh is at most that to a fine sampling of it, and at least that minus its spacing.
+      double least = 1e300;
+      constexpr int kSteps = 60;
+      for (int i = 0; i <= kSteps; ++i)
+        for (int j = 0; j <= kSteps; ++j) {
+          const double s = static_cast<double>(i) / kSteps, t = static_cast<double>(j) / kSteps;
+          const auto at = [&](double Vec3d::*c) {  // a, b, c where t <= s
+            return t <= s ? q[0].*c + (s - t) * (q[1].*c - q[0].*c) + t * (q[2].*c - q[0].*c)
+                          : q[0].*c + s * (q[2].*c - q[0].*c) + (t - s) * (q[3].*c - q[0].*c);
+          };
+          least = std::min(
+              least, std::hypot(at(&Vec3d::x) - p.x, at(&Vec3d::y) - p.y, at(&Vec3d::z) - p.z));
+        }
+      EXPECT_LE(least, bound + 4.5 / kSteps) << "round " << round;
+    }
+  }
+}
+
+VVolume random_volume(Random& random) {
+  const auto number = [&] { return Rational(random.between(-8, 8)) / Rational(24); };
+  std::array<int, 3> degrees;
+  for (int& p : degrees) p = static_cast<int>(random.between(1, 3));
+  const auto point = [&](std::size_t i, std::size_t j, std::size_t k) {
+    return v_cells::Point{Rational(i) + number(), Rational(j) + number(), Rational(k) + number()};
+  };
+  VVolume out = random.below(2) == 0
+                    ? v_cells::polynomial(degrees, point)
+                    : v_cells::rational(degrees, point, [&](std::size_t, std::size_t, std::size_t) {
+                        return Rational(random.between(2, 6)) / Rational(3);
+                      });
+  for (std::size_t a = 0; a < 3; ++a)
+    if (random.below(2) == 0) out = insert_knot(out, a, Rational(1) / Rational(3));
+  return out;
+}
+Exact point_of(const VVolume& volume, const Exact& at) {
+  const auto image = evaluate(volume, at).value();
+  Exact out;
+  for (std::size_t c = 0; c < 3; ++c)
+    out[c] = volume.is_rational() ? image[c] / image[3] : image[c];
+  return out;
+}
+double length_of(const Exact& v) {
+  return std::sqrt(nearest_double(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+}
+Exact combined(const Exact& a, int s, const Exact& b, int t, const Exact& c, int r) {
+  Exact out;
+  for (std::size_t k = 0; k < 3; ++k)
+    out[k] = Rational(s) * a[k] + Rational(t) * b[k] + Rational(r) * c[k];
+  return out;
+}
+
+TEST(CageCells, EncloseValuesAndBoundDifferenceQuotients) {
+  constexpr std::array<std::array<std::size_t, 2>, 6> kPairs = {
+      {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    const VVolume volume = random_volume(random);
+    const MicroGrid grid = make_micro_grid(volume, 0, {3, 4, 5}).value();
+    const std::size_t cell = random.below(60);
+    const auto index = grid.shape().index_of(cell);
+    const auto in_cell = [&](const Exact& x) {
+      Exact at;
+      for (std::size_t a = 0; a < 3; ++a)
+        at[a] = grid.breaks[a][index[a]] +
+                x[a] * (grid.breaks[a][index[a] + 1] - grid.breaks[a][index[a]]);
+      return point_of(volume, at);
+    };
+    const Rational h = Rational(1) / Rational(64);
+    Exact x;
+    for (Rational& t : x) t = Rational(random.between(0, 62)) / Rational(64);
+    std::vector<MapBounds> bounds;
+    Box3 value;
+    {
+      const ScopedUpward upward;
+      const CageCells cells(volume, grid);
+      CageRow row;
+      CellMap map = cells.new_map();
+      cells.enter_row(index[0], index[1], row);
+      cells.cell(row, index[2], map);
+      value = map.value(Box3(enclose(x[0]), enclose(x[1]), enclose(x[2])));
+      for (const int depth : {0, 1, 3}) bounds.push_back(map.bounds(depth));
+    }
+    const Exact p = in_cell(x);
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_TRUE(contains(value[c], p[c])) << seed;
+      EXPECT_LE(wid(value[c]), 1e-13) << seed;
+    }
+    const auto moved = [&](std::size_t a, int n, std::size_t b, int m) {
+      Exact y = x;
+      y[a] += h * Rational(n);
+      y[b] += h * Rational(m);
+      return in_cell(y);
+    };
+    for (std::size_t d = 0; d < bounds.size(); ++d) {
+      const MapBounds& bound = bounds[d];
+      for (std::size_t a = 0; a < 3; ++a)
+        EXPECT_LE(64 * length_of(combined(moved(a, 1, a, 0), 1, p, -1, p, 0)),
+                  bound.first[a] * (1 + 1e-12))
+            << seed;
+      for (std::size_t k = 0; k < 6; ++k) {
+        const auto [a, b] = kPairs[k];
+        const Exact second =
+            combined(combined(moved(a, 1, b, 1), 1, moved(a, 1, b, 0), -1, moved(a, 0, b, 1), -1),
+                     1, p, 1, p, 0);
+        EXPECT_LE(64 * 64 * length_of(second), bound.second[k] * (1 + 1e-12)) << seed;
+        EXPECT_LE(bound.second[k], bounds[d > 0 ? d - 1 : 0].second[k]) << seed;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace veritope

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "predicates/vec.h"
 #include "splines/de_boor.h"
+#include "splines/de_casteljau.h"
 #include "tests/support/micro_cells.h"
 #include "tests/support/random_v_models.h"
 
@@ -199,6 +201,32 @@ class Maker {
 };
 
 inline Structure any_structure(Random& random) { return Maker(random).make(); }
+
+/// The point of the microstructure that a patch of a cell has at (u, v).
+inline std::array<Rational, 3> exact_point(const Microstructure& micro, const MicroGrid& grid,
+                                           std::size_t cell, const TilePatch& patch,
+                                           const Rational& u, const Rational& v) {
+  const auto at = grid.shape().index_of(cell);
+  const auto net = points_at(patch, number_of(patch, grid.numbers_of(at)));
+  BezierSurface<Rational> surface(patch.degrees, 3, false);
+  for (std::size_t i = 0; i < net.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) surface.component(static_cast<int>(c))[i] = net[i][c];
+  const auto local = evaluate<Rational, 2>(surface, {u, v});
+  std::array<Rational, 3> parameters;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Rational &low = grid.breaks[a][at[a]], &high = grid.breaks[a][at[a] + 1];
+    parameters[a] = low + local[a] * (high - low);
+  }
+  const VVolume& volume = micro.cage[grid.volume];
+  const auto image = evaluate(volume, parameters).value();
+  std::array<Rational, 3> out;
+  for (std::size_t c = 0; c < 3; ++c)
+    out[c] = volume.is_rational() ? image[c] / image[3] : image[c];
+  return out;
+}
+inline Vec3d nearest_point(const std::array<Rational, 3>& p) {
+  return {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
+}
 
 /// The longest side of the box around the control points.
 inline double size_of(const Microstructure& micro) {

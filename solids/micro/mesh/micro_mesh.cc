@@ -137,7 +137,6 @@ class MicroMesher {
         options_(options),
         links_(std::move(links)),
         numbers_(links_, tiles) {
-    const internal::CapLinks& l = links_;
     first_row_.push_back(0);
     const ScopedUpward upward;
     for (const MicroGrid& g : micro.grids) {
@@ -148,8 +147,13 @@ class MicroMesher {
     for (const AnalysedTile& t : tiles)
       for (auto& slopes = slopes_.emplace_back(); const TilePatch& p : t.tile.patches)
         slopes.push_back(slopes_of(p, t.tile.range));
-    cells_of_kind_.assign(l.kinds.size(), 0);
-    for (const LinkedCell& c : l.cells) ++cells_of_kind_[c.kind];
+    for (const internal::MeshKind& k : links_.kinds)
+      cells_with_cap_.emplace_back(tiles[k.tile].caps.size() + 1, 0);
+    for (const LinkedCell& c : links_.cells) {
+      std::vector<std::uint64_t>& with = cells_with_cap_[c.kind];
+      ++with.back();
+      for (std::size_t cap = 0; cap + 1 < with.size(); ++cap) with[cap] += ~c.dropped >> cap & 1;
+    }
     bends_ = std::vector<std::array<Greatest, 2>>(numbers_.num_patches());
     gaps_ = std::vector<Greatest>(numbers_.num_patches());
     errors_.resize(numbers_.num_patches());
@@ -252,10 +256,14 @@ class MicroMesher {
     for (;;) {
       std::uint64_t facets = 0;
       for (std::uint32_t k = 0; k < links_.kinds.size(); ++k) {
-        std::uint64_t of_kind = 0;
-        for (const auto& [m, n] : parts_of(k)) of_kind += std::uint64_t{m} * n;
-        facets += of_kind * cells_of_kind_[k];
-        if (facets > 2 * options_.max_facets) return too_many("more facets than allowed");
+        const std::vector<PatchParts> parts = parts_of(k);
+        for (std::size_t p = 0; p < parts.size(); ++p) {  // a facet or two for each part
+          const std::uint32_t cap = tile_of(k).cap_of_patch[p];
+          const std::uint64_t cells =
+              cap == AnalysedTile::kNoCap ? cells_with_cap_[k].back() : cells_with_cap_[k][cap];
+          facets += std::min(cells * parts[p][0] * parts[p][1], 2 * kMaxMicroFacets);
+          if (facets > options_.max_facets) return too_many("more facets than allowed");
+        }
       }
       if (!raises_small_numbers()) return std::nullopt;
     }
@@ -495,7 +503,8 @@ class MicroMesher {
   std::vector<std::size_t> first_row_;  // of each grid: rows of cells along its third axis
   std::vector<CageCells> cages_;
   std::vector<std::vector<PatchSlopes>> slopes_;  // by tiles
-  std::vector<std::uint64_t> cells_of_kind_;
+  std::vector<std::vector<std::uint64_t>>
+      cells_with_cap_;  // by kinds: of each cap, the cells that keep it; at the end, all cells
   std::vector<std::array<Greatest, 2>> bends_;  // by patches of kinds, as all that follow
   std::vector<PatchError> errors_;
   std::vector<Greatest> gaps_;

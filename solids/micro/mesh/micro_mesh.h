@@ -48,7 +48,8 @@ struct MicroMesh {
 /// @error kBadArgument: a chord that is not positive and finite, or that the rounding of vertices makes unattainable; what
 ///        topology_of refuses; kEmpty: no cell holds a tile; kOverLimit: more than max_facets facets;
 ///        kNotFinite: control points near the end of the range of binary64
-/// @cost  near-linear in the facets: 1 microsecond for each with tricubic volumes; 36 bytes a facet in the result
+/// @cost  near-linear in the facets: approximately 0.2 microseconds for each with tricubic volumes; 24 bytes a facet in the
+///        result
 /// @source the bound on triangles is that of tensor products: docs/design/0075-meshes-of-microstructures.md
 Result<MicroMesh> mesh_of(const Microstructure& micro, const VModel& cage,
                           const std::vector<AnalysedTile>& tiles, const MicroMeshOptions& options);

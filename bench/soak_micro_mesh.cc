@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_micro_mesh.cc: --rounds N --seed S. Meshes of random microstructures (tests/support/random_microstructures.h)
-// at chords from 1/50 of the model down to 1/800, each half of the one before. Wrong: an error; a distance over the chord;
-// a mesh that is not closed, or that has not the structure's components, shells and Euler characteristic; at 1/800, a mesh
-// that is not VALID; a point of the surface farther from the mesh than the proved distance. Meshes that cross themselves at
-// coarser chords are counted apart. One JSON line; the seeds of what is wrong go to standard error.
+// bench/soak_micro_mesh.cc: --rounds N --seed S. Meshes of random microstructures, those of
+// tests/support/random_microstructures.h, at chords from 1/6 of the narrowest cell down to 1/96, each half of the one
+// before. Wrong: an error; a distance over the chord; a mesh that is not closed, or that has not the structure's shells
+// and Euler characteristic; at 1/96, a mesh that is not VALID; a point of the surface farther from the mesh than the
+// proved distance. Meshes that cross themselves at coarser chords are counted apart. One JSON line; the seeds of what is
+// wrong go to standard error.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -21,8 +22,11 @@ namespace {
 
 using namespace veritope;
 
+constexpr int kFinest = 96;
+
 struct Totals {
-  std::uint64_t structures = 0, meshes = 0, wrong = 0, refused = 0, coarse_invalid = 0, points = 0;
+  std::uint64_t structures = 0, meshes = 0, facets = 0, wrong = 0, refused = 0, coarse_invalid = 0,
+                points = 0;
 };
 
 std::string fault_of(const MicroCounts& counts, const MicroMesh& mesh, double chord, bool is_finest,
@@ -79,16 +83,18 @@ std::string fault_of_round(Random& random, std::string& description, Totals& tot
   const auto& counts = std::get<MicroCounts>(found);
   if (counts.tiles == 0) return "";
   ++totals.structures;
-  for (const int part : {50, 100, 200, 400, 800}) {
+  const double width = random_micro::width_of(s.micro);
+  for (const int part : {6, 12, 24, 48, kFinest}) {
     MicroMeshOptions options;
-    options.chord = random_micro::size_of(s.micro) / part;
+    options.chord = width / part;
     options.max_facets = 4000000;
     const auto mesh = mesh_of(s.micro, cage, tiles, options);
     if (!mesh && mesh.error().code == Code::kOverLimit) return ++totals.refused, "";
     if (!mesh) return mesh.error().message;
     ++totals.meshes;
-    std::string fault = fault_of(counts, *mesh, options.chord, part == 800, totals);
-    if (fault.empty() && part <= 200 && mesh->mesh.faces.size() < 200000)
+    totals.facets += mesh->mesh.faces.size();
+    std::string fault = fault_of(counts, *mesh, options.chord, part == kFinest, totals);
+    if (fault.empty() && part <= 24 && mesh->mesh.faces.size() < 200000)
       fault = fault_of_points(s.micro, tiles, *mesh, random, totals);
     if (!fault.empty()) return fault + ", chord 1/" + std::to_string(part);
   }
@@ -113,10 +119,11 @@ int main(int argc, char** argv) {
   }
   std::printf(
       "{\"name\":\"micro_mesh\",\"value\":%llu,\"goal\":\"0\",\"structures\":%llu,\"meshes\":%llu,"
-      "\"points\":%llu,\"coarse_invalid\":%llu,\"over_limit\":%llu}\n",
+      "\"facets\":%llu,\"points\":%llu,\"coarse_invalid\":%llu,\"over_limit\":%llu}\n",
       static_cast<unsigned long long>(totals.wrong),
       static_cast<unsigned long long>(totals.structures),
       static_cast<unsigned long long>(totals.meshes),
+      static_cast<unsigned long long>(totals.facets),
       static_cast<unsigned long long>(totals.points),
       static_cast<unsigned long long>(totals.coarse_invalid),
       static_cast<unsigned long long>(totals.refused));

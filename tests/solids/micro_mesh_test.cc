@@ -97,9 +97,8 @@ TEST(MicroMesh, StraightArmsInAStraightCageAreNotCut) {
   const Subject subject(micro);
   const MicroMesh mesh = subject.mesh(1e-9).value();
   EXPECT_LE(mesh.distance, 1e-14);
-  ASSERT_EQ(mesh.parts.size(), 1u);
-  for (const auto& p : mesh.parts.front().of_patch)
-    EXPECT_EQ(p, (std::array<std::uint32_t, 2>{1, 1}));
+  for (const MicroMeshParts& parts : mesh.parts)
+    for (const auto& p : parts.of_patch) EXPECT_EQ(p, (std::array<std::uint32_t, 2>{1, 1}));
   // 48 triangles of arms, 2 of each cap that is left.
   const std::size_t caps = 6 * 6 - 2 * (2 * 2 * 1 + 3 * 1 * 1);
   EXPECT_EQ(mesh.mesh.faces.size(), 6 * 48 + 2 * caps);
@@ -302,7 +301,11 @@ TEST(MicroMesh, VerticesAreRoundedPointsOfTheSurface) {
     for (const MicroMeshParts& parts : mesh.parts) {
       const MicroGrid& grid = s.micro.grids[parts.grid];
       for (std::size_t cell = 0; cell < grid.tiles.size(); ++cell) {
-        if (grid.tiles[cell] != parts.tile + 1) continue;
+        const auto at = grid.shape().index_of(cell);
+        bool is_in_block = grid.tiles[cell] == parts.tile + 1;
+        for (std::size_t a = 0; a < 3; ++a)
+          is_in_block = is_in_block && parts.block[a][0] <= at[a] && at[a] < parts.block[a][1];
+        if (!is_in_block) continue;
         const auto& patches = s.micro.tiles[parts.tile].patches;
         for (std::size_t p = 0; p < patches.size(); ++p) {
           const auto [m, n] = parts.of_patch[p];

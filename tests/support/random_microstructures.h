@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -242,6 +243,32 @@ inline double size_of(const Microstructure& micro) {
     most = std::max(most, high - low);
   }
   return most;
+}
+
+/// The least distance between the middles of opposite walls, over cells that hold tiles, at most 100 of them.
+inline double width_of(const Microstructure& micro) {
+  double least = 1e300;
+  std::size_t count = 0;
+  for (const MicroGrid& grid : micro.grids) count += grid.tiles.size();
+  const std::size_t step = 1 + count / 100;
+  for (const MicroGrid& grid : micro.grids)
+    for (std::size_t cell = 0; cell < grid.tiles.size(); cell += step) {
+      if (grid.tiles[cell] == 0) continue;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::array<Vec3d, 2> ends;
+        for (std::size_t end = 0; end < 2; ++end) {
+          TilePoint middle;
+          middle.fill(Rational(1) / Rational(2));
+          middle[axis] = Rational(static_cast<std::int64_t>(end));
+          ends[end] = nearest_point(exact_point(micro, grid, cell,
+                                                micro_cells::square(middle, middle, middle, middle),
+                                                Rational(0), Rational(0)));
+        }
+        least = std::min(
+            least, std::hypot(ends[1].x - ends[0].x, ends[1].y - ends[0].y, ends[1].z - ends[0].z));
+      }
+    }
+  return least;
 }
 
 }  // namespace veritope::random_micro

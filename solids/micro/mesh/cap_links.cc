@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "robust/base/parallel.h"
 #include "solids/micro/mesh/cap_links_internal.h"
 
 namespace veritope::internal {
@@ -34,24 +35,40 @@ class LinkFinder {
   }
 
  private:
+  // The most blocks of all grids, but for the few that every grid may have.
+  static constexpr std::size_t kBlocks = 4096, kFewBlocks = 27;
   // Rims that two cells of two kinds share, in the order of the equal caps.
   using Rims = std::vector<std::uint32_t>;
 
+  // Blocks are cubes of 1, 2, 4, ... cells along an axis, so large that there are not too many.
+  std::size_t block_length(const Grid<3>& shape) const {
+    const std::size_t most = std::max(kFewBlocks, kBlocks / micro_.grids.size());
+    for (std::size_t length = 1;; length *= 2) {
+      Grid<3> blocks;
+      for (std::size_t a = 0; a < 3; ++a) blocks.size[a] = num_chunks(shape.size[a], length);
+      if (blocks.count() <= most) return length;
+    }
+  }
   void number_cells() {
     for (std::uint32_t g = 0; g < micro_.grids.size(); ++g) {
-      std::vector<std::uint32_t> kinds(tiles_.size(), CapLinks::kNoCell);
-      auto& numbers = out_.numbers.emplace_back();
-      numbers.reserve(micro_.grids[g].tiles.size());
-      for (const std::uint8_t t : micro_.grids[g].tiles) {
-        numbers.push_back(t == 0 ? CapLinks::kNoCell
-                                 : static_cast<std::uint32_t>(out_.cells.size()));
-        if (t == 0) continue;
-        std::uint32_t& kind = kinds[t - 1u];
-        if (kind == CapLinks::kNoCell) {
-          kind = static_cast<std::uint32_t>(out_.kinds.size());
-          out_.kinds.push_back({g, t - 1u});
+      const MicroGrid& grid = micro_.grids[g];
+      const Grid<3> shape = grid.shape();
+      const std::size_t length = block_length(shape);
+      std::map<std::tuple<std::array<std::size_t, 3>, std::uint32_t>, std::uint32_t> kinds;
+      auto& numbers = out_.numbers.emplace_back(grid.tiles.size(), CapLinks::kNoCell);
+      for (std::size_t c = 0; c < grid.tiles.size(); ++c) {
+        if (grid.tiles[c] == 0) continue;
+        MeshKind kind{g, grid.tiles[c] - 1u, {}};
+        std::array<std::size_t, 3> at = shape.index_of(c);
+        for (std::size_t a = 0; a < 3; ++a) {
+          at[a] -= at[a] % length;
+          kind.block[a] = {at[a], std::min(at[a] + length, shape.size[a])};
         }
-        out_.cells.emplace_back().kind = kind;
+        const auto [known, is_new] =
+            kinds.try_emplace({at, kind.tile}, static_cast<std::uint32_t>(out_.kinds.size()));
+        if (is_new) out_.kinds.push_back(kind);
+        numbers[c] = static_cast<std::uint32_t>(out_.cells.size());
+        out_.cells.emplace_back().kind = known->second;
       }
     }
     out_.strictness.assign(out_.kinds.size(), 0);

@@ -12,9 +12,11 @@
 
 namespace veritope::internal {
 
-/// The cells of a grid that hold one tile are cut in one way.
+/// The cells of a block of a grid that hold one tile: they are cut in one way.
 struct MeshKind {
   std::uint32_t grid = 0, tile = 0;
+  std::array<std::array<std::size_t, 2>, 3>
+      block{};  ///< along each axis: the first cell, and one past the last
 };
 /// Equal sides of two rims, 4 patch + side.
 struct SharedSide {

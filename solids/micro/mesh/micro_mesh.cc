@@ -37,7 +37,7 @@ using internal::SharedRim;
 using internal::TileMesh;
 using internal::TileQuad;
 
-constexpr std::size_t kRowsInChunk = 4, kCellsInChunk = 256, kSampledCells = 256;
+constexpr std::size_t kRowsInChunk = 4, kCellsInChunk = 256;
 // The rounding of vertices is at most this part of the chord.
 constexpr double kRoundingShare = 0x1p-6;
 
@@ -161,14 +161,16 @@ class MicroMesher {
 
   Result<MicroMesh> run() {
     find_bends();
-    for (std::size_t stride = std::max<std::size_t>(1, links_.cells.size() / kSampledCells);;) {
+    choose_sample();
+    for (bool measures_all = false;;) {
       if (auto error = choose_parts()) return std::move(*error);
       reset_measures();
-      if (stride > 1) {
-        measure_sample(stride);
+      if (!measures_all) {
+        measure_sample();
         if (auto error = rounding_error()) return std::move(*error);
         if (!is_close_enough()) continue;
-        stride = 1;
+        measures_all = true;
+        reset_measures();
       }
       if (auto error = place_cells()) return std::move(*error);
       make_vertices();
@@ -280,22 +282,24 @@ class MicroMesher {
       out.push_back(numbers_.of(numbers_.number(kind, p)));
     return out;
   }
-  // Makes the meshes of the kinds, until one needs more parts.
+  // Makes the meshes of the kinds. Returns true if one needed more parts, and has more now.
   bool raises_small_numbers() {
-    std::map<std::pair<std::uint32_t, std::vector<PatchParts>>, std::shared_ptr<const TileMesh>>
-        made;
+    bool raises = false;
     meshes_.assign(links_.kinds.size(), nullptr);
     for (std::uint32_t k = 0; k < links_.kinds.size(); ++k) {
       const std::uint32_t tile = links_.kinds[k].tile;
-      auto& mesh = made[{tile, parts_of(k)}];
-      if (mesh == nullptr) mesh = std::make_shared<const TileMesh>(tiles_[tile], parts_of(k));
-      meshes_[k] = mesh;
-      const std::uint32_t patch = mesh->patch_with_too_few_parts(links_.strictness[k]);
-      if (patch == TileMesh::kNoPatch) continue;
-      numbers_.raise(numbers_.number(k, patch));
-      return true;
+      auto& made = made_[{tile, parts_of(k)}];
+      if (made.mesh == nullptr)
+        made.mesh = std::make_shared<const TileMesh>(tiles_[tile], parts_of(k));
+      meshes_[k] = made.mesh;
+      auto& patch = made.patch_with_too_few_parts[static_cast<std::size_t>(links_.strictness[k])];
+      if (!patch.has_value()) patch = made.mesh->patch_with_too_few_parts(links_.strictness[k]);
+      if (*patch == TileMesh::kNoPatch) continue;
+      numbers_.raise(numbers_.number(k, *patch));
+      raises = true;
     }
-    return false;
+    std::erase_if(made_, [](const auto& entry) { return entry.second.mesh.use_count() == 1; });
+    return raises;
   }
 
   void reset_measures() {
@@ -309,9 +313,17 @@ class MicroMesher {
   static bool is_triangle(const TileQuad& q) {
     return q[0] == q[1] || q[1] == q[2] || q[2] == q[3] || q[3] == q[0];
   }
-  void measure_sample(std::size_t stride) {
+  // The first and the middle cell of each kind.
+  void choose_sample() {
+    std::vector<std::uint64_t> seen(links_.kinds.size(), 0);
+    for (const LinkedCell& c : links_.cells) {
+      const std::uint64_t n = seen[c.kind]++;
+      is_sampled_.push_back(n == 0 || n == cells_with_cap_[c.kind].back() / 2);
+    }
+  }
+  void measure_sample() {
     for_each_map(
-        [&](std::uint32_t number) { return number % stride == 0; },
+        [&](std::uint32_t number) { return is_sampled_[number]; },
         [&](std::uint32_t, const LinkedCell& cell, const CellMap& map, const WallNumbers& numbers) {
           const TileMesh& mesh = *meshes_[cell.kind];
           std::vector<Vec3d> at;
@@ -490,7 +502,8 @@ class MicroMesher {
     out_.distance = distance();
     out_.rounding = rounding_->value();
     for (std::uint32_t k = 0; k < links_.kinds.size(); ++k)
-      out_.parts.push_back({links_.kinds[k].grid, links_.kinds[k].tile, meshes_[k]->parts()});
+      out_.parts.push_back(
+          {links_.kinds[k].grid, links_.kinds[k].tile, links_.kinds[k].block, meshes_[k]->parts()});
     return std::move(out_);
   }
 
@@ -509,7 +522,14 @@ class MicroMesher {
   std::vector<PatchError> errors_;
   std::vector<Greatest> gaps_;
   std::unique_ptr<Greatest> rounding_;
+  struct MadeMesh {
+    std::shared_ptr<const TileMesh> mesh;
+    std::array<std::optional<std::uint32_t>, 3> patch_with_too_few_parts;  // by strictness
+  };
+  std::map<std::pair<std::uint32_t, std::vector<PatchParts>>, MadeMesh>
+      made_;                                             // by tiles and parts
   std::vector<std::shared_ptr<const TileMesh>> meshes_;  // by kinds
+  std::vector<bool> is_sampled_;                         // by cells
   std::vector<CellPlace> places_;
   MicroMesh out_;
 };

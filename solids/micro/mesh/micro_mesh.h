@@ -22,9 +22,11 @@ struct MicroMeshOptions {
   std::uint64_t max_facets = kMaxMicroFacets;
 };
 
-/// Into how many parts along u and along v the patches of a tile are cut, in all cells of a grid.
+/// Into how many parts along u and along v the patches of a tile are cut, in all cells of a block of a grid.
 struct MicroMeshParts {
   std::uint32_t grid = 0, tile = 0;
+  /// Along each axis of the grid: the first cell of the block, and one past the last.
+  std::array<std::array<std::size_t, 2>, 3> block{};
   std::vector<std::array<std::uint32_t, 2>> of_patch;
 };
 

@@ -17,6 +17,7 @@
 #include "solids/micro/mesh/cage_cells_internal.h"
 #include "solids/micro/mesh/cap_links_internal.h"
 #include "solids/micro/mesh/part_numbers_internal.h"
+#include "solids/micro/mesh/patch_bend_internal.h"
 #include "solids/micro/mesh/quad_gap_internal.h"
 #include "solids/micro/mesh/tile_mesh_internal.h"
 
@@ -30,6 +31,7 @@ using internal::CellMap;
 using internal::LinkedCell;
 using internal::MapBounds;
 using internal::PartNumbers;
+using internal::PatchBend;
 using internal::PatchError;
 using internal::PatchParts;
 using internal::RimLink;
@@ -56,62 +58,6 @@ class Greatest {
  private:
   std::atomic<std::uint64_t> bits_{0};
 };
-
-// Upper bounds of absolute values of the components of derivatives of a patch in the unit cube, for all numbers of walls:
-// the first and the second ones along u and along v.
-struct PatchSlopes {
-  std::array<std::array<double, 3>, 2> first{}, second{};
-};
-
-PatchSlopes slopes_of(const TilePatch& patch,
-                      const std::optional<std::array<std::int32_t, 2>>& range) {
-  const Interval t = range.has_value()
-                         ? Interval::from_bounds((*range)[0] * 0x1p-20, (*range)[1] * 0x1p-20)
-                         : Interval();
-  const auto rows = static_cast<std::size_t>(patch.degrees[0]) + 1,
-             columns = static_cast<std::size_t>(patch.degrees[1]) + 1;
-  PatchSlopes out;
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const std::size_t step = axis == 0 ? columns : 1, p = axis == 0 ? rows - 1 : columns - 1;
-      const auto difference = [&](std::size_t at, bool is_second) {
-        Interval sum;
-        for (std::size_t power = patch.points.size(); power-- > 0;) {
-          const auto x = [&](std::size_t i) {
-            return enclose(patch.points[power][at + i * step][c]);
-          };
-          const Interval d = is_second ? (x(2) - x(1)) - (x(1) - x(0)) : x(1) - x(0);
-          sum = sum * t + d;
-        }
-        return Interval(static_cast<double>(is_second ? p * (p - 1) : p)) * sum;
-      };
-      for (std::size_t i = 0; i < rows; ++i)
-        for (std::size_t j = 0; j < columns; ++j) {
-          const std::size_t at = i * columns + j, along = axis == 0 ? i : j;
-          if (along + 1 <= p)
-            out.first[axis][c] = std::max(out.first[axis][c], mag(difference(at, false)));
-          if (along + 2 <= p)
-            out.second[axis][c] = std::max(out.second[axis][c], mag(difference(at, true)));
-        }
-    }
-  return out;
-}
-
-// A bound of the second derivative of the mapped patch along an axis, over 8: that of linear interpolation in one part.
-double bend_of(const MapBounds& map, const PatchSlopes& patch, std::size_t axis) {
-  const auto bound = [](double x) { return Interval::from_bounds(0, x); };
-  std::array<Interval, 3> s;
-  for (std::size_t a = 0; a < 3; ++a) s[a] = bound(patch.first[axis][a]);
-  Interval sum;
-  for (std::size_t a = 0; a < 3; ++a) {
-    sum += bound(map.first[a]) * bound(patch.second[axis][a]);
-    sum += bound(map.second[a]) * sqr(s[a]);
-  }
-  const Interval mixed = bound(map.second[3]) * s[0] * s[1] + bound(map.second[4]) * s[0] * s[2] +
-                         bound(map.second[5]) * s[1] * s[2];
-  sum += Interval(2.0) * mixed;
-  return (Interval(0.125) * sum).hi();
-}
 
 Vec3d middle_of(const Box3& box, Greatest& rounding) {
   std::array<double, 3> at;
@@ -145,8 +91,8 @@ class MicroMesher {
       cages_.emplace_back(micro.cage[g.volume], g);
     }
     for (const AnalysedTile& t : tiles)
-      for (auto& slopes = slopes_.emplace_back(); const TilePatch& p : t.tile.patches)
-        slopes.push_back(slopes_of(p, t.tile.range));
+      for (auto& bends = patch_bends_.emplace_back(); const TilePatch& p : t.tile.patches)
+        bends.emplace_back(p);
     for (const internal::MeshKind& k : links_.kinds)
       cells_with_cap_.emplace_back(tiles[k.tile].caps.size() + 1, 0);
     for (const LinkedCell& c : links_.cells) {
@@ -220,16 +166,18 @@ class MicroMesher {
     return cap != AnalysedTile::kNoCap && (cell.dropped >> cap & 1) != 0;
   }
 
-  // The greatest bound of the bends of a cell's patches; keeps those that are the greatest of all cells if `reaches`.
-  double bends_of(const LinkedCell& cell, const MapBounds& bounds, bool reaches) {
+  // The greatest bound of the bends of a cell's patches; the bounds go to `bends`, 0 for patches that are dropped.
+  double bends_of(const LinkedCell& cell, const MapBounds& bounds, const WallNumbers& numbers,
+                  std::vector<std::array<double, 2>>& bends) const {
+    const AnalysedTile& tile = tile_of(cell.kind);
+    const auto& patches = patch_bends_[links_.kinds[cell.kind].tile];
+    bends.assign(patches.size(), {});
     double most = 0;
-    const auto& slopes = slopes_[links_.kinds[cell.kind].tile];
-    for (std::size_t p = 0; p < slopes.size(); ++p)
-      for (std::size_t axis = 0; axis < 2 && !is_dropped(cell, p); ++axis) {
-        const double bend = bend_of(bounds, slopes[p], axis);
-        most = std::max(most, bend);
-        if (reaches) bends_[numbers_.number(cell.kind, p)][axis].reach(bend);
-      }
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      if (is_dropped(cell, p)) continue;
+      bends[p] = patches[p].of(bounds, number_of(tile.tile.patches[p], numbers));
+      most = std::max({most, bends[p][0], bends[p][1]});
+    }
     return most;
   }
   void find_bends() {
@@ -237,11 +185,14 @@ class MicroMesher {
     const int depth = cells <= 1000 ? 3 : cells <= 10000 ? 2 : 1;
     for_each_map(
         [](std::uint32_t) { return true; },
-        [&](std::uint32_t, const LinkedCell& cell, const CellMap& map, const WallNumbers&) {
-          MapBounds bounds = map.bounds(0);
-          // Better ones matter only where a patch has three parts or more.
-          if (bends_of(cell, bounds, false) > 4 * options_.chord) bounds = map.bounds(depth);
-          bends_of(cell, bounds, true);
+        [&](std::uint32_t, const LinkedCell& cell, const CellMap& map, const WallNumbers& numbers) {
+          std::vector<std::array<double, 2>> bends;
+          // Better bounds matter only where a patch has three parts or more.
+          if (bends_of(cell, map.bounds(0), numbers, bends) > 4 * options_.chord)
+            bends_of(cell, map.bounds(depth), numbers, bends);
+          for (std::size_t p = 0; p < bends.size(); ++p)
+            for (std::size_t axis = 0; axis < 2; ++axis)
+              bends_[numbers_.number(cell.kind, p)][axis].reach(bends[p][axis]);
         });
     for (std::size_t n = 0; n < errors_.size(); ++n)
       errors_[n].along = {bends_[n][0].value(), bends_[n][1].value()};
@@ -515,7 +466,7 @@ class MicroMesher {
   PartNumbers numbers_;
   std::vector<std::size_t> first_row_;  // of each grid: rows of cells along its third axis
   std::vector<CageCells> cages_;
-  std::vector<std::vector<PatchSlopes>> slopes_;  // by tiles
+  std::vector<std::vector<PatchBend>> patch_bends_;  // by tiles
   std::vector<std::vector<std::uint64_t>>
       cells_with_cap_;  // by kinds: of each cap, the cells that keep it; at the end, all cells
   std::vector<std::array<Greatest, 2>> bends_;  // by patches of kinds, as all that follow

@@ -7,9 +7,11 @@
 #include "interval/upward.h"
 #include "robust/base/random.h"
 #include "solids/micro/mesh/cage_cells_internal.h"
+#include "solids/micro/mesh/patch_bend_internal.h"
 #include "solids/micro/mesh/quad_gap_internal.h"
 #include "solids/micro/micro_grid.h"
 #include "splines/de_boor.h"
+#include "splines/de_casteljau.h"
 #include "tests/support/approx_distance.h"
 #include "tests/support/v_cells.h"
 
@@ -20,6 +22,7 @@ using internal::CageCells;
 using internal::CageRow;
 using internal::CellMap;
 using internal::MapBounds;
+using internal::PatchBend;
 using internal::quad_gap;
 using Exact = std::array<Rational, 3>;
 
@@ -100,6 +103,66 @@ Exact combined(const Exact& a, int s, const Exact& b, int t, const Exact& c, int
   for (std::size_t k = 0; k < 3; ++k)
     out[k] = Rational(s) * a[k] + Rational(t) * b[k] + Rational(r) * c[k];
   return out;
+}
+
+TEST(PatchBend, BoundsSecondDifferencesOfMappedPatches) {
+  double closest = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    const VVolume volume = random_volume(random);
+    const MicroGrid grid = make_micro_grid(volume, 0, {3, 3, 3}).value();
+    TilePatch patch;
+    patch.degrees = {static_cast<int>(random.between(1, 3)),
+                     static_cast<int>(random.between(1, 3))};
+    patch.points.resize(random.below(3) + 1);
+    if (patch.points.size() > 1) patch.wall = 0;
+    // In the unit cube for all numbers up to 1/4: coordinates in [1/4, 1/2] + t [0, 1] + t^2 [0, 1].
+    for (std::size_t power = 0; power < patch.points.size(); ++power)
+      for (std::size_t n = 0; n < patch.num_points(); ++n) {
+        const auto number = [&] {
+          const Rational x = Rational(random.between(0, 64)) / Rational(64);
+          return power == 0 ? (x + Rational(1)) / Rational(4) : x;
+        };
+        patch.points[power].push_back({number(), number(), number()});
+      }
+    const auto wall = static_cast<std::int32_t>(random.between(0, kMaxWallNumber / 4));
+    BezierSurface<Rational> surface(patch.degrees, 3, false);
+    const auto net = points_at(patch, wall);
+    for (std::size_t n = 0; n < net.size(); ++n)
+      for (std::size_t c = 0; c < 3; ++c) surface.component(static_cast<int>(c))[n] = net[n][c];
+    const auto index = grid.shape().index_of(random.below(27));
+    const auto image = [&](const std::array<Rational, 2>& uv) {
+      const auto local = evaluate<Rational, 2>(surface, uv);
+      Exact at;
+      for (std::size_t a = 0; a < 3; ++a)
+        at[a] = grid.breaks[a][index[a]] +
+                local[a] * (grid.breaks[a][index[a] + 1] - grid.breaks[a][index[a]]);
+      return point_of(volume, at);
+    };
+    std::array<double, 2> bound;
+    {
+      const ScopedUpward upward;
+      const CageCells cells(volume, grid);
+      CageRow row;
+      CellMap map = cells.new_map();
+      cells.enter_row(index[0], index[1], row);
+      cells.cell(row, index[2], map);
+      bound = PatchBend(patch).of(map.bounds(2), wall);
+    }
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      for (int i = 0; i < 8; ++i) {
+        std::array<Rational, 2> uv;
+        for (Rational& x : uv) x = Rational(random.between(1, 31)) / Rational(32);
+        auto before = uv, after = uv;
+        before[axis] -= Rational(1) / Rational(32);
+        after[axis] += Rational(1) / Rational(32);
+        const double second =
+            32 * 32 * length_of(combined(image(before), 1, image(uv), -2, image(after), 1));
+        EXPECT_LE(second, 8 * bound[axis] * (1 + 1e-12) + 1e-12) << seed;
+        if (bound[axis] > 0) closest = std::max(closest, second / (8 * bound[axis]));
+      }
+  }
+  EXPECT_GT(closest, 0.3);
 }
 
 TEST(CageCells, EncloseValuesAndBoundDifferenceQuotients) {

@@ -45,8 +45,8 @@ class Maker {
  public:
   explicit Maker(Random& random) : random_(random) {}
 
-  /// Jacks with some of their arms, and spikes; graded or not; in a cage whose volumes lie in any direction, have either
-  /// hand and any description. Each volume has one grid, or two that abut.
+  /// Jacks with some of their arms, and spikes; graded or not; in a cage whose volumes lie in any direction, have
+  /// either hand and any description. Each volume has one grid, or two that abut.
   Structure make() {
     choose_cage();
     choose_tiles();

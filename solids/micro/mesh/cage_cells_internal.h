@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/mesh/cage_cells_internal.h: the map of a volume on the cells of a grid, each as a map of the unit cube in
-// Bernstein form over intervals: values, and bounds of its derivatives. Internal to solids/micro/mesh.
+// solids/micro/mesh/cage_cells_internal.h: the map of a volume on the cells of a grid, each as a map of the unit cube
+// in Bernstein form over intervals: values, and bounds of its derivatives. Internal to solids/micro/mesh.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -25,9 +25,9 @@ class CellMap {
   /// Contains the image of every point of the box. REQUIRES a box in the unit cube.
   /// @cost products: the coefficients of all components, and a bit more
   Box3 value(const Box3& at) const;
-  /// Polynomial maps: from differences of coefficients. Rational maps: by the quotient rule, with the middle of the cell
-  /// as the origin. Where the bounds are loose, the cell is halved along all axes, at most `depth` times. Infinite if
-  /// the coefficients are not finite, or the weights not proved positive.
+  /// Polynomial maps: from differences of coefficients. Rational maps: by the quotient rule, with the middle of the
+  /// cell as the origin. Where the bounds are loose, the cell is halved along all axes, at most `depth` times.
+  /// Infinite if the coefficients are not finite, or the weights not proved positive.
   MapBounds bounds(int depth) const;
 
  private:

@@ -129,8 +129,8 @@ class MicroMesher {
  private:
   const AnalysedTile& tile_of(std::uint32_t kind) const { return tiles_[links_.kinds[kind].tile]; }
 
-  // Calls visit(number, cell, map, numbers) for each cell with a tile that is to be visited. The visits are in the rounding
-  // mode of intervals.
+  // Calls visit(number, cell, map, numbers) for each cell with a tile that is to be visited, in the rounding mode of
+  // intervals.
   template <typename Choose, typename Visit>
   void for_each_map(Choose is_visited, Visit visit) const {
     parallel_for(first_row_.back(), kRowsInChunk, options_.jobs,

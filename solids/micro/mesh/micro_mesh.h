@@ -3,6 +3,7 @@
 // Design: docs/design/0075-meshes-of-microstructures.md.
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -33,26 +34,25 @@ struct MicroMeshParts {
 struct MicroMesh {
   /// Facets turn outward.
   TriangleMesh mesh;
-  /// Between the surface and the mesh there is a continuous map of each patch onto its triangles that moves no point by
-  /// more than this: neither has a point farther from the other. In units of the model, rounded upward.
+  /// Between the surface and the mesh there is a continuous map of each patch onto its triangles that moves no
+  /// point by more than this: neither has a point farther from the other. In units of the model, rounded upward.
   double distance = 0;
   /// No vertex is farther from the point of the surface that it stands for.
   double rounding = 0;
   std::vector<MicroMeshParts> parts;
 };
 
-/// The surface of the union of all mapped tiles: their patches but for those of equal caps, each cut into triangles. Equal
-/// sides of patches, also of different cells, have common vertices, so the mesh is closed, and has the Euler
-/// characteristic of the surface. Whether it is embedded is not decided here (decide_validity does it): with a
-/// large chord it may cross itself.
-/// REQUIRES that the cage is that of micro, the analysed tiles are its tiles, each with at most 64 caps, topology_of
-/// finds no defect, and that determinants of the cage have one sign in each volume.
-/// @error kBadArgument: a chord that is not positive and finite, or that the rounding of vertices makes unattainable; what
-///        topology_of refuses; kEmpty: no cell holds a tile; kOverLimit: more than max_facets facets;
+/// The surface of the union of all mapped tiles: their patches but for those of equal caps, each cut into
+/// triangles. Equal sides of patches, also of different cells, have common vertices, so the mesh is a closed
+/// surface with the shells and the genus of the structure, at any chord. Whether it is embedded is not decided
+/// here (decide_validity does it): with a large chord it may cross itself.
+/// REQUIRES that the cage is that of micro, the analysed tiles are its tiles, each with at most 64 caps, that
+/// topology_of finds no defect, and that determinants of the cage have one sign in each volume.
+/// @error kBadArgument: a chord that is not positive and finite, or less than 64 times the rounding of vertices;
+///        what topology_of refuses. kEmpty: no cell holds a tile. kOverLimit: more than max_facets facets.
 ///        kNotFinite: control points near the end of the range of binary64
-/// @cost  near-linear in the facets: approximately 0.2 microseconds for each with tricubic volumes; 24 bytes a facet in the
-///        result
-/// @source the bound on triangles is that of tensor products: docs/design/0075-meshes-of-microstructures.md
+/// @cost  near-linear in the facets: approximately 0.2 microseconds for each with tricubic volumes; 24 bytes a
+///        facet in the result
 Result<MicroMesh> mesh_of(const Microstructure& micro, const VModel& cage,
                           const std::vector<AnalysedTile>& tiles, const MicroMeshOptions& options);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/mesh/part_numbers_internal.h: into how many parts patches are cut, so that glued sides and equal rims have
-// one number. Internal to solids/micro/mesh.
+// solids/micro/mesh/part_numbers_internal.h: into how many parts patches are cut, so that glued sides and equal rims
+// have one number. Internal to solids/micro/mesh.
 #pragma once
 #include <array>
 #include <cstddef>

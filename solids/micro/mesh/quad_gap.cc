@@ -27,10 +27,10 @@ double approx_dot(const Box3& a, const Box3& b) {
 
 // The patch is a + u e + v f + u v g with e = b - a, f = d - a, g = a - b - d + c.
 //   (1) Equal parameters: the distance to the triangles is at most |g| / 4.
-//   (2) With any numbers r, s and h = g - r e - s f, the patch is a + x e + y f + z h, x = u + r u v, y = v + s u v, z = u v.
-//       If r, s, r + s > -1, then (u, v) -> (x, y) takes the square to a convex quadrilateral, one to one and onto. The
-//       triangles are a + x e + y f + z' h over the same (x, y), with z' from 0 to 1. So the distance is at most |h|: 0 if
-//       the four points lie in a plane.
+//   (2) With any numbers r, s and h = g - r e - s f, the patch is a + x e + y f + z h, where x = u + r u v, y = v +
+//       s u v, z = u v. If r, s, r + s > -1, then (u, v) -> (x, y) takes the square to a convex quadrilateral, one
+//       to one and onto. The triangles are a + x e + y f + z' h over the same (x, y), with z' from 0 to 1. So the
+//       distance is at most |h|: 0 if the four points lie in a plane.
 double quad_gap(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, double enough) {
   const Box3 e = way(a, b), f = way(a, d), g = way(b, c) - f;
   const double whole = most_length(g) / 4;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/mesh/tile_mesh_internal.h: the surface of a tile, each patch cut into a grid of quadrilaterals: vertices in
-// groups that cells can share, and where they lie in the unit cube. Internal to solids/micro/mesh.
+// solids/micro/mesh/tile_mesh_internal.h: the surface of a tile, each patch cut into a grid of quadrilaterals: vertices
+// in groups that cells can share, and where they lie in the unit cube. Internal to solids/micro/mesh.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -51,7 +51,7 @@ class TileMesh {
   Box3 position(std::uint32_t vertex, const WallNumbers& numbers) const;
 
   /// A patch that needs more parts so that the triangles are those of a surface, also where caps are dropped and rims
-  /// are shared; kNoPatch if there is none. `strictness` 1: where two tiles share two pairs of caps; 2: where a tile
+  /// are shared; kNoPatch if all have enough. `strictness` 1: where two tiles share two pairs of caps; 2: where a tile
   /// shares caps with itself.
   static constexpr std::uint32_t kNoPatch = 0xffffffff;
   std::uint32_t patch_with_too_few_parts(int strictness) const;

@@ -204,7 +204,7 @@ class MicroMesher {
             e.along[1] < std::numeric_limits<double>::infinity()))
         return Error{Code::kNotFinite, {}, "the cage has no finite derivatives"};
     if (!numbers_.raise_for(errors_, options_.chord * (1 - 2 * kRoundingShare)))
-      return too_many("more than 2^20 parts of a patch");
+      return too_many("2^20 parts along a side of a patch");
     const ScopedUpward upward;
     for (;;) {
       std::uint64_t facets = 0;
@@ -215,17 +215,17 @@ class MicroMesher {
           const std::uint64_t cells =
               cap == AnalysedTile::kNoCap ? cells_with_cap_[k].back() : cells_with_cap_[k][cap];
           facets += std::min(cells * parts[p][0] * parts[p][1], 2 * kMaxMicroFacets);
-          if (facets > options_.max_facets) return too_many("more facets than allowed");
+          if (facets > options_.max_facets) return too_many_facets();
         }
       }
       if (!raises_small_numbers()) return std::nullopt;
     }
   }
   Error too_many(const std::string& what) const {
-    return Error{Code::kOverLimit,
-                 {},
-                 "a mesh with this chord has " + what + " (" + std::to_string(options_.max_facets) +
-                     " facets)"};
+    return Error{Code::kOverLimit, {}, "a mesh with this chord has more than " + what};
+  }
+  Error too_many_facets() const {
+    return too_many(std::to_string(std::min(options_.max_facets, kMaxMicroFacets)) + " facets");
   }
   std::vector<PatchParts> parts_of(std::uint32_t kind) {
     std::vector<PatchParts> out;
@@ -354,7 +354,7 @@ class MicroMesher {
       for (std::size_t p = 0; p < mesh.parts().size(); ++p)
         if (!is_dropped(cell, p)) facets += mesh.num_triangles(p);
       if (facets > options_.max_facets || facets > kMaxMicroFacets || vertices >= 0xffffffff)
-        return too_many("more facets than allowed");
+        return too_many_facets();
     }
     out_.mesh.positions.resize(vertices);
     out_.mesh.faces.resize(facets);

@@ -110,8 +110,8 @@ std::string key_of(const FlatPatch& patch) {
   return least;
 }
 
-// Equal for a side and the same side passed backwards.
-std::string rim_key(const FlatPatch& patch, std::size_t side) {
+// The key is equal for a side and the same side passed backwards.
+RimSide rim_side(const FlatPatch& patch, std::size_t side) {
   const int degree = tile_side_degree(patch.degrees, side);
   std::array<FlatPatch, 2> curves;
   for (FlatPatch& c : curves) c = {{degree, 0}, {{}}};
@@ -122,7 +122,11 @@ std::string rim_key(const FlatPatch& patch, std::size_t side) {
     curves[0].net[0].push_back(at(i));
     curves[1].net[0].push_back(at(degree - i));
   }
-  return std::min(text_of(curves[0]), text_of(curves[1]));
+  std::string forward = text_of(curves[0]), backward = text_of(curves[1]);
+  RimSide out;
+  out.is_backwards = backward < forward;
+  out.key = std::move(out.is_backwards ? backward : forward);
+  return out;
 }
 
 void cover_point(const Flat& q, bool is_first, FlatBox& box) {
@@ -211,7 +215,10 @@ std::vector<RimSide> rim_of(const AnalysedTile& tile, std::uint32_t cap, const W
       if (tile.surface.is_collapsed(p, s)) continue;
       const auto outer =
           static_cast<std::uint32_t>(tile.surface.mates[kTileSides * p + s] / kTileSides);
-      if (tile.cap_of_patch[outer] != cap) out.push_back({rim_key(flat, s), outer});
+      if (tile.cap_of_patch[outer] == cap) continue;
+      RimSide& r = out.emplace_back(rim_side(flat, s));
+      r.outer_patch = outer;
+      r.side = static_cast<std::uint32_t>(kTileSides * p + s);
     }
   }
   return out;

@@ -27,6 +27,8 @@ struct CapMatch {
 struct RimSide {
   std::string key;  ///< equal for the equal sides of equal caps
   std::uint32_t outer_patch = 0;
+  std::uint32_t side = 0;     ///< 4 patch + side of the cap's patch
+  bool is_backwards = false;  ///< equal sides run in one direction iff this is equal, too
 };
 /// The rim of a cap in wall number `side` of the pair.
 std::vector<RimSide> rim_of(const AnalysedTile& tile, std::uint32_t cap, const WallPair& pair,

@@ -7,6 +7,7 @@
 
 #include "robust/base/disjoint_sets.h"
 #include "solids/micro/tile_caps_internal.h"
+#include "solids/vmodel/v_model.h"
 #include "splines/bezier_domain.h"
 
 namespace veritope {

@@ -9,6 +9,8 @@
 #include "cli/output_plan.h"
 #include "cli/progress.h"
 #include "cli/tile_option.h"
+#include "io/formats.h"
+#include "io/mesh/write_mesh.h"
 #include "io/micro/write_micro.h"
 #include "io/read_model.h"
 #include "io/splines/volumes.h"
@@ -16,6 +18,7 @@
 #include "report/report_text.h"
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
+#include "solids/micro/mesh/micro_mesh.h"
 #include "solids/micro/synthesis/cage_around.h"
 #include "solids/micro/synthesis/filter_tiles.h"
 #include "solids/micro/synthesis/wall_thickness.h"
@@ -36,7 +39,8 @@ struct MicroOptions {
   bool has_tile = false;
   std::optional<std::array<std::uint64_t, 3>> counts;
   std::optional<RealFormula> thickness;
-  std::optional<std::string> output, list, json;
+  std::optional<std::string> output, list, mesh, json;
+  std::optional<double> chord;
   std::uint64_t max_tiles = kDefaultMaxTiles;
   ModelReadOptions reading;
 };
@@ -71,8 +75,9 @@ class MicroRun {
 
   ExitCode run() {
     if (const Status status = check_outputs(); !status) return fail(status.error());
-    for (const auto step : {&MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill,
-                            &MicroRun::analyse, &MicroRun::filter, &MicroRun::find_topology})
+    for (const auto step :
+         {&MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill, &MicroRun::analyse,
+          &MicroRun::filter, &MicroRun::find_topology, &MicroRun::make_mesh})
       if (const ExitCode exit = (this->*step)(); exit != kExitValid) return conclude(exit);
     return conclude(write());
   }
@@ -95,7 +100,12 @@ class MicroRun {
               check_output("--list", *options_.list, inputs(), *plan, options_.json);
           !status)
         return status;
-    return try_outputs(*plan, {options_.json, options_.output, options_.list});
+    if (options_.mesh)
+      if (const Status status =
+              check_output("--mesh", *options_.mesh, inputs(), *plan, options_.json);
+          !status)
+        return status;
+    return try_outputs(*plan, {options_.json, options_.output, options_.list, options_.mesh});
   }
 
   ExitCode refuse(const Error& error) {
@@ -283,17 +293,70 @@ class MicroRun {
     return kExitValid;
   }
 
+  // The mesh as its file will be read, if that bounds a solid with the numbers of the microstructure.
+  ExitCode make_mesh() {
+    if (!options_.mesh || report_.kept == 0) return kExitValid;
+    progress_.phase(*options_.mesh, "making the mesh");
+    Stopwatch watch;
+    const Result<MicroMesh> made =
+        mesh_of(micro_, *model_, tiles_,
+                {*options_.chord, static_cast<unsigned>(options_.reading.jobs), kMaxMicroFacets});
+    if (!made) return refuse(made.error());
+    const WriteOptions how = default_write_options(*mesh_format_of(*options_.mesh));
+    Result<std::string> bytes = mesh_to_bytes(made->mesh, how);
+    if (!bytes) return refuse(bytes.error());
+    mesh_bytes_ = std::move(*bytes);
+    if (const std::string why = fault_of_mesh(*made); !why.empty())
+      return refute({"mesh", {}, {}, {}, *options_.mesh + ": nothing is written, because " + why},
+                    kExitUndecided);
+    report_.mesh =
+        MicroRunReport::Mesh{file_of(*options_.mesh, mesh_bytes_), made->mesh.faces.size(),
+                             made->mesh.positions.size(), made->distance};
+    report_.seconds.mesh = watch.lap();
+    return kExitValid;
+  }
+  std::string fault_of_mesh(const MicroMesh& made) const {
+    ModelReadOptions reading;
+    reading.format = *mesh_format_of(*options_.mesh);
+    reading.jobs = options_.reading.jobs;
+    reading.limits.max_faces = kMost32;
+    reading.limits.max_bytes = kMost64;
+    const auto* const begin = reinterpret_cast<const unsigned char*>(mesh_bytes_.data());
+    Result<MeshFile> file = read_mesh_bytes({begin, mesh_bytes_.size()}, *options_.mesh, reading);
+    if (!file) return "the mesh would not be read: " + file.error().message;
+    CertifyOptions certify;
+    certify.jobs = static_cast<unsigned>(reading.jobs);
+    const Result<Certified> certified = veritope::certify(ModelFile(std::move(*file)), certify);
+    if (!certified) return certified.error().message;
+    if (certified->verdict != Verdict::kValid)
+      return std::string("the mesh would be ") + verdict_name(certified->verdict) + " (" +
+             text_of(certified->findings.front()) + "); a smaller --chord may help";
+    const MeshCounts& n = std::get<MeshFacts>(certified->facts).decision.counts;
+    if (n.shells != report_.counts->shells || n.genus != report_.counts->genus)
+      return "the mesh has other numbers of shells or another genus than the microstructure";
+    return "";
+  }
+  static MicroRunReport::File file_of(const std::string& path, const std::string& bytes) {
+    return {path,
+            to_hex(sha256({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()})),
+            bytes.size()};
+  }
+  static std::optional<MeshFormat> mesh_format_of(const std::string& path) {
+    const ModelFormat* const format = format_from_path(path, ModelKind::kMesh);
+    const auto* const id = format == nullptr ? nullptr : std::get_if<MeshFormat>(&format->id);
+    return id == nullptr ? std::nullopt : std::optional(*id);
+  }
   ExitCode write() {
     progress_.phase(*options_.output, "writing");
     if (const Status valid = validate(micro_); !valid) return refuse(valid.error());
     const std::string bytes = write_micro(micro_);
     progress_.clear();
+    if (report_.mesh)
+      if (const Status meshed = write_output(*options_.mesh, mesh_bytes_, out_); !meshed)
+        return fail(meshed.error());
     Status written = write_output(*options_.output, bytes, out_);
     if (!written && *options_.output != "-") return fail(written.error());
-    report_.output = MicroRunReport::File{
-        *options_.output,
-        to_hex(sha256({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()})),
-        bytes.size()};
+    report_.output = file_of(*options_.output, bytes);
     if (options_.list) written = write_output(*options_.list, list_text(), out_);
     if (!written && *options_.list != "-") return fail(written.error());
     return report_.undecided == 0 ? kExitValid : kExitUndecided;
@@ -334,6 +397,7 @@ class MicroRun {
   Microstructure micro_;
   std::vector<AnalysedTile> tiles_;
   std::vector<GridStatus> statuses_;
+  std::string mesh_bytes_;
 };
 
 }  // namespace
@@ -359,6 +423,8 @@ RunCommand declare_micro(OptionSet& set) {
       [o = o.get()](const std::string& text) { return take_thickness(text, *o); },
       "half the width of arms at each wall, from its x y z u v w");
   set.output("-o,--output", o->output, "write the microstructure, .vmicro");
+  set.output("--mesh", o->mesh, "write its surface as a mesh that bounds a solid (with --chord)");
+  set.length("--chord", "H", o->chord, "how far the mesh may be from the surface");
   set.output("--list", o->list, "write the status of each cell, CSV");
   declare_json(set, o->json, "write counts and defects");
   set.number("--max-tiles", o->max_tiles, {1, kMaxMicroCells}, "refuse more cells than this");
@@ -369,6 +435,9 @@ RunCommand declare_micro(OptionSet& set) {
     if (!o->has_tile) return "--tile is required, such as jack";
     if (!o->counts) return "--counts is required, such as 10,10,10";
     if (!o->output) return "-o OUT.vmicro is required, the file of the microstructure";
+    if (o->mesh.has_value() != o->chord.has_value()) return "--mesh and --chord need each other";
+    if (o->mesh && format_from_path(*o->mesh, ModelKind::kMesh) == nullptr)
+      return "the name " + *o->mesh + " ends in no format of meshes: .stl, .obj, .ply or .off";
     if (*o->output == "-" || o->output->ends_with(".vmicro")) return "";
     return "the name " + *o->output + " does not end in .vmicro";
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "report/micro_run_report.h"
 
+#include "report/decimal_text.h"
 #include "report/json_text.h"
 #include "report/report_text.h"
 #include "report/text_style.h"
@@ -12,6 +13,14 @@ namespace {
 Json file_json(const std::optional<MicroRunReport::File>& file) {
   if (!file) return nullptr;
   return {{"path", file->path}, {"sha256", file->sha256}, {"bytes", file->bytes}};
+}
+
+Json mesh_of_run_json(const std::optional<MicroRunReport::Mesh>& mesh) {
+  if (!mesh) return nullptr;
+  return {{"file", file_json(mesh->file)},
+          {"facets", mesh->facets},
+          {"vertices", mesh->vertices},
+          {"distance", mesh->distance}};
 }
 
 Json defect_in_run_json(const MicroRunReport::Defect& d) {
@@ -46,10 +55,12 @@ std::string micro_run_json(const MicroRunReport& r) {
   out["glued_caps"] = counted_in(&MicroCounts::glued_caps);
   out["genus"] = counted_in(&MicroCounts::genus);
   out["shells"] = counted_in(&MicroCounts::shells);
+  out["mesh"] = mesh_of_run_json(r.mesh);
   out["defects"] = std::move(defects);
   out["seconds"] = {{"cage", seconds_json(r.seconds.cage)},
                     {"filter", seconds_json(r.seconds.filter)},
-                    {"topology", seconds_json(r.seconds.topology)}};
+                    {"topology", seconds_json(r.seconds.topology)},
+                    {"mesh", seconds_json(r.seconds.mesh)}};
   return dump(out) + "\n";
 }
 
@@ -59,6 +70,10 @@ std::string micro_run_text(const MicroRunReport& r) {
                      counted(r.kept, "tile", "tiles") + " in " + counted(r.cells, "cell", "cells") +
                      ", " + counted(r.counts->components, "component", "components") + ", genus " +
                      std::to_string(r.counts->genus) + "\n";
+  if (r.mesh)
+    text += "wrote  " + unbroken(harmless(r.mesh->file.path)) + "  " +
+            counted(r.mesh->facets, "facet", "facets") + ", a solid, within " +
+            short_decimal(r.mesh->distance) + " of it\n";
   if (!r.model) return text;
   return text +
          detail_line("cells", std::to_string(r.crossing) + " cross the boundary of the model, " +

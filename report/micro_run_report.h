@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // report/micro_run_report.h: what veritope micro says of a microstructure that it made, or did not make.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,8 +24,14 @@ struct MicroRunReport {
     std::optional<std::string> wall;                   ///< "u0"
     std::string message;
   };
+  struct Mesh {
+    File file;
+    std::uint64_t facets = 0, vertices = 0;
+    double distance =
+        0;  ///< proved: no point of it or of the microstructure is farther from the other
+  };
   struct Seconds {
-    double cage = 0, filter = 0, topology = 0;
+    double cage = 0, filter = 0, topology = 0, mesh = 0;
   };
 
   File cage;
@@ -33,6 +40,7 @@ struct MicroRunReport {
   std::uint64_t kept = 0, crossing = 0, touching = 0, outside = 0, undecided = 0;
   std::uint64_t kinds = 0;
   std::optional<MicroCounts> counts;  ///< of what was written
+  std::optional<Mesh> mesh;
   std::vector<Defect> defects;
   Seconds seconds;
 };

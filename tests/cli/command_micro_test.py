@@ -104,6 +104,27 @@ class MicroCommand(support.Folder):
         self.assertEqual(self.micro("--model", open_mesh, expect=1)["defects"][0]["code"], "model")
         self.assertEqual(self.micro(tile="jack,node=1/20,cap=9/20", expect=1)["defects"][0]["code"], "F1")
 
+    def test_meshes_are_solids_with_the_numbers_of_the_microstructure(self):
+        torus = self.tree("torus", {"op": "torus", "major": 3, "minor": 1})
+        for ending in ("ply", "stl", "obj", "off"):
+            mesh = self.folder / f"m.{ending}"
+            report = self.micro("--mesh", mesh, "--chord", "0.05", cage=torus, counts="1,1,4")
+            file = support.only_file(mesh)
+            self.assertEqual((file["verdict"], file["sha256"]), ("VALID", report["mesh"]["file"]["sha256"]))
+            self.assertEqual((file["counts"]["genus"], file["counts"]["shells"]), (report["genus"], report["shells"]))
+            self.assertEqual(file["counts"]["faces"], report["mesh"]["facets"])
+            self.assertLessEqual(report["mesh"]["distance"], 0.05)
+        finer = self.micro("--mesh", mesh, "--chord", "0.025", cage=torus, counts="1,1,4")
+        self.assertEqual(finer["genus"], report["genus"])
+        self.assertGreater(finer["mesh"]["facets"], report["mesh"]["facets"])
+
+    def test_an_empty_microstructure_is_written_without_a_mesh(self):
+        solid, mesh = self.folder / "small.off", self.folder / "m.ply"
+        solid.write_text(cube("0.3", "0.5"))
+        report = self.micro("--model", solid, "--mesh", mesh, "--chord", "0.1")
+        self.assertEqual((report["tiles"]["kept"], report["mesh"], report["components"]), (0, None, 0))
+        self.assertFalse(mesh.exists())
+
     def test_limits_and_wrong_usage(self):
         base = ["micro", "--cage", self.box, "--tile", "jack", "-o", self.out, "--counts"]
         self.assertEqual(run(*base, "2,2,2", "--max-tiles", 8).returncode, 0)
@@ -115,6 +136,8 @@ class MicroCommand(support.Folder):
             self.assertEqual(run("micro", "--cage", self.box, "--tile", tile, "-o", self.out, "--counts", "1,1,1").returncode, 2, tile)
         for formula in ("1+", "q", "sin x"):
             self.assertEqual(run(*base, "1,1,1", "--thickness", formula).returncode, 2, formula)
+        for mesh in (["--mesh", "m.ply"], ["--chord", "1"], ["--mesh", "m.xyz", "--chord", "1"], ["--mesh", "m.ply", "--chord", "0"]):
+            self.assertEqual(run(*base, "1,1,1", *mesh).returncode, 2, mesh)
         self.assertEqual(run("micro", "--cage", self.folder / "none.vjson", "--tile", "jack", "--counts", "1,1,1", "-o", self.out).returncode, 4)
         self.assertFalse(self.out.exists())
         done = run("micro", "--cage", self.box, "--tile", "jack", "--counts", "1,1,1", "-o", "-")

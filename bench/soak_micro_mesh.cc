@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: LGPL-3.0-or-later bench/soak_micro_mesh.cc: --rounds N --seed S. Meshes of random
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// bench/soak_micro_mesh.cc: --rounds N --seed S. Meshes of random
 // microstructures, those of tests/support/random_microstructures.h, at chords from 1/6 of the narrowest cell down
 // to 1/96, each half of the one before. Wrong: an error; a distance over the chord; a mesh that is not closed, or
 // that has not the structure's shells and Euler characteristic; at 1/96, a mesh that is not VALID; a point of the

@@ -41,6 +41,7 @@ struct MicroOptions {
   std::optional<RealFormula> thickness;
   std::optional<std::string> output, list, mesh, json;
   std::optional<double> chord;
+  bool wants_connected = false;
   std::uint64_t max_tiles = kDefaultMaxTiles;
   ModelReadOptions reading;
 };
@@ -77,7 +78,7 @@ class MicroRun {
     if (const Status status = check_outputs(); !status) return fail(status.error());
     for (const auto step :
          {&MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill, &MicroRun::analyse,
-          &MicroRun::filter, &MicroRun::find_topology, &MicroRun::make_mesh})
+          &MicroRun::filter, &MicroRun::connect, &MicroRun::find_topology, &MicroRun::make_mesh})
       if (const ExitCode exit = (this->*step)(); exit != kExitValid) return conclude(exit);
     return conclude(write());
   }
@@ -273,24 +274,36 @@ class MicroRun {
     return kExitValid;
   }
 
+  ExitCode connect() {
+    if (!options_.wants_connected) return kExitValid;
+    auto found = keep_largest_component(*model_, tiles_, micro_);
+    if (const auto* d = std::get_if<MicroDefect>(&found)) return refute_structure(*d);
+    floating_ = std::get<0>(std::move(found));
+    for (const auto& cells : floating_) report_.floating += cells.size();
+    report_.kept -= report_.floating;
+    clear_unused_walls(micro_);
+    return kExitValid;
+  }
+
   ExitCode find_topology() {
     progress_.phase(*options_.output, "joining tiles");
     Stopwatch watch;
     auto topology = topology_of(micro_, *model_, tiles_);
     report_.seconds.topology = watch.lap();
-    if (const auto* d = std::get_if<MicroDefect>(&topology)) {
-      MicroRunReport::Defect defect{
-          d->condition, {}, {}, {}, std::string(d->condition) + ": " + d->message};
-      if (!d->walls.empty()) {
-        const CellWall& w = d->walls.front();
-        const auto at = micro_.grids[w.grid].shape().index_of(w.cell);
-        defect.cell = {micro_.grids[w.grid].volume, at[0], at[1], at[2]};
-        defect.wall = v_face_name(static_cast<std::size_t>(w.wall));
-      }
-      return refute(std::move(defect));
-    }
+    if (const auto* d = std::get_if<MicroDefect>(&topology)) return refute_structure(*d);
     report_.counts = std::get<MicroCounts>(topology);
     return kExitValid;
+  }
+  ExitCode refute_structure(const MicroDefect& d) {
+    MicroRunReport::Defect defect{
+        d.condition, {}, {}, {}, std::string(d.condition) + ": " + d.message};
+    if (!d.walls.empty()) {
+      const CellWall& w = d.walls.front();
+      const auto at = micro_.grids[w.grid].shape().index_of(w.cell);
+      defect.cell = {micro_.grids[w.grid].volume, at[0], at[1], at[2]};
+      defect.wall = v_face_name(static_cast<std::size_t>(w.wall));
+    }
+    return refute(std::move(defect));
   }
 
   // The mesh as its file will be read, if that bounds a solid with the numbers of the microstructure.
@@ -366,12 +379,16 @@ class MicroRun {
     for (std::size_t g = 0; g < micro_.grids.size(); ++g) {
       const MicroGrid& grid = micro_.grids[g];
       const Grid<3> shape = grid.shape();
+      std::size_t next = 0;  // among the floating tiles, which are in the order of cells
       for (std::size_t c = 0; c < grid.tiles.size(); ++c) {
         const auto at = shape.index_of(c);
         out += std::to_string(grid.volume);
         for (const std::size_t i : at) out += "," + std::to_string(i);
-        out += std::string(",") +
-               cell_status_name(solid_ ? statuses_[g].status[c] : CellStatus::kKept) + "\n";
+        const bool floats =
+            !floating_.empty() && next < floating_[g].size() && floating_[g][next] == c;
+        next += floats;
+        const CellStatus status = solid_ ? statuses_[g].status[c] : CellStatus::kKept;
+        out += std::string(",") + (floats ? "floating" : cell_status_name(status)) + "\n";
       }
     }
     return out;
@@ -397,6 +414,7 @@ class MicroRun {
   Microstructure micro_;
   std::vector<AnalysedTile> tiles_;
   std::vector<GridStatus> statuses_;
+  std::vector<std::vector<std::uint64_t>> floating_;  // cells, by grids
   std::string mesh_bytes_;
 };
 
@@ -405,28 +423,30 @@ class MicroRun {
 RunCommand declare_micro(OptionSet& set) {
   const auto o = std::make_shared<MicroOptions>();
   o->reading.jobs = default_jobs();
-  set.text("--cage", o->cage, "the volumes in whose parameters the cells lie, a spline file");
+  set.text("--cage", o->cage, "a file of volumes, whose parameters hold the cells");
   set.option(
       "--tile", "TILE",
       [o = o.get()](const std::string& text) {
         o->has_tile = true;
         return take_jack(text, o->jack);
       },
-      "jack[,node=1/5][,cap=1/8][,degree=3]: a cube with six arms");
+      "jack[,node=1/5][,cap=1/8][,degree=3]: a cube, six arms");
   set.option(
       "--counts", "K,M,N",
       [o = o.get()](const std::string& text) { return take_counts(text, o->counts); },
       "cells along the three axes of each volume");
-  set.text("--model", o->model, "keep only tiles in the interior of this solid, a mesh");
+  set.text("--model", o->model, "keep tiles in the interior of this solid only, a mesh");
   set.option(
       "--thickness", "EXPR",
       [o = o.get()](const std::string& text) { return take_thickness(text, *o); },
-      "half the width of arms at each wall, from its x y z u v w");
+      "half the width of arms at each wall, from x y z u v w");
   set.output("-o,--output", o->output, "write the microstructure, .vmicro");
-  set.output("--mesh", o->mesh, "write its surface as a mesh that bounds a solid (with --chord)");
+  set.output("--mesh", o->mesh, "write its surface as a mesh, within --chord H of it");
   set.length("--chord", "H", o->chord, "how far the mesh may be from the surface");
+  set.hide("--chord");
   set.output("--list", o->list, "write the status of each cell, CSV");
   declare_json(set, o->json, "write counts and defects");
+  set.flag("--connected", o->wants_connected, "keep only the largest part that hangs together");
   set.number("--max-tiles", o->max_tiles, {1, kMaxMicroCells}, "refuse more cells than this");
   declare_jobs(set, o->reading.jobs);
   declare_reading(set, o->reading);

@@ -49,7 +49,8 @@ std::string micro_run_json(const MicroRunReport& r) {
   out["model"] = file_json(r.model);
   out["output"] = file_json(r.output);
   out["tiles"] = {{"total", r.cells},       {"kept", r.kept},       {"crossing", r.crossing},
-                  {"touching", r.touching}, {"outside", r.outside}, {"undecided", r.undecided}};
+                  {"touching", r.touching}, {"outside", r.outside}, {"undecided", r.undecided},
+                  {"floating", r.floating}};
   out["kinds"] = r.kinds;
   out["components"] = counted_in(&MicroCounts::components);
   out["glued_caps"] = counted_in(&MicroCounts::glued_caps);
@@ -74,6 +75,8 @@ std::string micro_run_text(const MicroRunReport& r) {
     text += "wrote  " + unbroken(harmless(r.mesh->file.path)) + "  " +
             counted(r.mesh->facets, "facet", "facets") + ", a solid, within " +
             short_decimal(r.mesh->distance) + " of it\n";
+  if (r.floating != 0)
+    text += detail_line("floating", counted(r.floating, "tile", "tiles") + " off the largest part");
   if (!r.model) return text;
   return text +
          detail_line("cells", std::to_string(r.crossing) + " cross the boundary of the model, " +

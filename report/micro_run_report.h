@@ -37,7 +37,7 @@ struct MicroRunReport {
   File cage;
   std::optional<File> model, output;
   std::uint64_t cells = 0;
-  std::uint64_t kept = 0, crossing = 0, touching = 0, outside = 0, undecided = 0;
+  std::uint64_t kept = 0, crossing = 0, touching = 0, outside = 0, undecided = 0, floating = 0;
   std::uint64_t kinds = 0;
   std::optional<MicroCounts> counts;  ///< of what was written
   std::optional<Mesh> mesh;

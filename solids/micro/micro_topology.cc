@@ -28,11 +28,11 @@ class Topology {
     for (std::uint32_t g = 0; g < micro_.grids.size(); ++g)
       if (auto defect = grid_defect(g)) return std::move(*defect);
     glued_.assign(counts_.cells, 0);
-    DisjointSets<> components(counts_.cells);
+    components_ = DisjointSets<>(counts_.cells);
     const bool is_complete = for_each_wall_pair(micro_, cage_, [&](const WallPair& pair) {
       with_match(pair, [&](const CapMatch& match) {
         if (match.clash.has_value()) defect_ = clash_of(pair, *match.clash);
-        for (const auto& caps : match.equal) add_pair(pair, caps, components);
+        for (const auto& caps : match.equal) add_pair(pair, caps);
       });
       return !defect_.has_value();
     });
@@ -42,11 +42,34 @@ class Topology {
           "T4",
           {},
           "more than " + std::to_string(kMaxWallMeetings) + " pairs of walls meet between grids"};
-    count(components);
+    count();
     return counts_;
   }
 
+  // The cells with tiles off the largest component, by grids. REQUIRES that run() found no defect.
+  std::vector<std::vector<std::uint64_t>> floating() {
+    std::vector<std::uint32_t> sizes(counts_.cells);
+    std::uint32_t largest = 0;
+    for_each_tile([&](std::uint32_t, std::uint64_t, std::uint32_t root) {
+      if (++sizes[root] > sizes[largest] || (sizes[root] == sizes[largest] && root < largest))
+        largest = root;
+    });
+    std::vector<std::vector<std::uint64_t>> out(micro_.grids.size());
+    for_each_tile([&](std::uint32_t g, std::uint64_t c, std::uint32_t root) {
+      if (root != largest) out[g].push_back(c);
+    });
+    return out;
+  }
+
  private:
+  // Calls visit(grid, cell, component).
+  template <typename Visit>
+  void for_each_tile(Visit visit) {
+    for (std::uint32_t g = 0; g < micro_.grids.size(); ++g)
+      for (std::uint64_t c = 0; c < micro_.grids[g].tiles.size(); ++c)
+        if (micro_.grids[g].tiles[c] != 0) visit(g, c, components_.find(number_of_cell({g, c, 0})));
+  }
+
   std::uint32_t number_of_cell(const CellWall& w) const {
     return static_cast<std::uint32_t>(first_cell_[w.grid] + w.cell);
   }
@@ -130,17 +153,16 @@ class Topology {
       if (const CapMatch* const all = matcher_.match_for_all(pair, tiles)) return use(*all);
     use(matcher_.match(pair, tiles, {numbers_of(pair.walls[0]), numbers_of(pair.walls[1])}));
   }
-  void add_pair(const WallPair& pair, const std::array<std::uint32_t, 2>& caps,
-                DisjointSets<>& components) {
+  void add_pair(const WallPair& pair, const std::array<std::uint32_t, 2>& caps) {
     ++counts_.glued_caps;
     euler_ -= tiles_[tile_of(pair.walls[0])].caps[caps[0]].euler;
     const std::uint32_t a = number_of_cell(pair.walls[0]), b = number_of_cell(pair.walls[1]);
     glued_[a] |= std::uint64_t{1} << caps[0];
     glued_[b] |= std::uint64_t{1} << caps[1];
-    components.join(a, b);
+    components_.join(a, b);
   }
 
-  void count(DisjointSets<>& components) {
+  void count() {
     bool is_one_shell_each = true;
     for (std::uint32_t g = 0; g < micro_.grids.size(); ++g)
       for (std::uint64_t c = 0; c < micro_.grids[g].tiles.size(); ++c) {
@@ -148,7 +170,7 @@ class Topology {
         if (tile == 0) continue;
         const std::uint32_t cell = number_of_cell({g, c, 0});
         euler_ += tiles_[tile - 1].surface.euler() / 2;
-        counts_.components += components.find(cell) == cell;
+        counts_.components += components_.find(cell) == cell;
         is_one_shell_each = is_one_shell_each && shells_of(tile - 1, glued_[cell]).count == 1;
       }
     counts_.shells = is_one_shell_each ? counts_.components : count_shells();
@@ -202,6 +224,7 @@ class Topology {
   const VModel& cage_;
   const std::vector<AnalysedTile>& tiles_;
   CapMatcher matcher_;
+  DisjointSets<> components_;
   std::vector<std::uint64_t> first_cell_;  // of each grid
   std::vector<std::uint64_t>
       glued_;  // of each cell, a bit for each cap that is equal to another one
@@ -216,6 +239,17 @@ class Topology {
 std::variant<MicroCounts, MicroDefect> topology_of(const Microstructure& micro, const VModel& cage,
                                                    const std::vector<AnalysedTile>& tiles) {
   return Topology(micro, cage, tiles).run();
+}
+
+std::variant<std::vector<std::vector<std::uint64_t>>, MicroDefect> keep_largest_component(
+    const VModel& cage, const std::vector<AnalysedTile>& tiles, Microstructure& micro) {
+  Topology topology(micro, cage, tiles);
+  auto counts = topology.run();
+  if (auto* defect = std::get_if<MicroDefect>(&counts)) return std::move(*defect);
+  std::vector<std::vector<std::uint64_t>> floating = topology.floating();
+  for (std::size_t g = 0; g < floating.size(); ++g)
+    for (const std::uint64_t c : floating[g]) micro.grids[g].tiles[c] = 0;
+  return floating;
 }
 
 }  // namespace veritope

@@ -29,4 +29,11 @@ struct MicroDefect {
 std::variant<MicroCounts, MicroDefect> topology_of(const Microstructure& micro, const VModel& cage,
                                                    const std::vector<AnalysedTile>& tiles);
 
+/// Empties the cells whose tiles are not joined to those of the largest component by equal caps: the component with the
+/// most tiles, of several that with the first cell.
+/// @return those cells, by grids; or why they are not known: a cap that is neither equal to another nor apart from it
+/// REQUIRES as topology_of
+std::variant<std::vector<std::vector<std::uint64_t>>, MicroDefect> keep_largest_component(
+    const VModel& cage, const std::vector<AnalysedTile>& tiles, Microstructure& micro);
+
 }  // namespace veritope

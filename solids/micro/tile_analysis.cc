@@ -13,6 +13,8 @@
 namespace veritope {
 namespace {
 
+constexpr std::size_t kMaxCentres = 100;  // that are tried
+
 using Family = BezierVolume<Rational>;
 using Member = BezierSurface<Rational>;  // a patch for the least number of the range
 
@@ -51,13 +53,15 @@ std::optional<TilePoint> middle_of_parallelogram(const Member& s) {
   }
   return m;
 }
-// The axis along which m lies in a wall, straight ahead of a.
-std::optional<std::size_t> exit_axis(const TilePoint& a, const TilePoint& m) {
+// Where the ray from a through m leaves the unit cube, if that is straight along an axis.
+std::optional<TilePoint> end_of_ray(const TilePoint& a, const TilePoint& m) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto others = v_face_axes(axis);
-    if ((m[axis] == Rational(0) || m[axis] == Rational(1)) && m[others[0]] == a[others[0]] &&
-        m[others[1]] == a[others[1]])
-      return axis;
+    if (m[axis] == a[axis] || m[others[0]] != a[others[0]] || m[others[1]] != a[others[1]])
+      continue;
+    TilePoint end = a;
+    end[axis] = Rational(m[axis] < a[axis] ? 0 : 1);
+    return end;
   }
   return std::nullopt;
 }
@@ -106,7 +110,7 @@ class StarSearch {
   }
 
  private:
-  // The middle of the cube, then points straight behind the middles of caps.
+  // The middle of the cube, then points straight behind the middles of parallelograms.
   std::vector<TilePoint> candidates() const {
     const Rational half = Rational(1) / Rational(2);
     std::vector<TilePoint> out = {{half, half, half}};
@@ -114,7 +118,7 @@ class StarSearch {
       const auto m = middle_of_parallelogram(s);
       if (!m.has_value()) continue;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        if ((*m)[axis] != Rational(0) && (*m)[axis] != Rational(1)) continue;
+        if (out.size() > kMaxCentres) return out;
         for (const int sixteenth : {8, 4, 12, 2, 6, 10, 14}) {
           TilePoint a = *m;
           a[axis] = Rational(sixteenth) / Rational(16);
@@ -138,16 +142,18 @@ class StarSearch {
         return std::nullopt;
       }
     return TileDefect{"F2", std::nullopt, std::nullopt,
-                      "no cap is a parallelogram whose middle is straight ahead of the centre (" +
+                      "no parallelogram has its middle straight ahead of the centre (" +
                           a[0].to_string() + ", " + a[1].to_string() + ", " + a[2].to_string() +
-                          ") with nothing between"};
+                          ") with nothing else before the wall"};
   }
   bool is_exit(std::uint32_t patch, const TilePoint& a) const {
     const auto m = middle_of_parallelogram(members_[patch]);
-    if (!m.has_value() || !exit_axis(a, *m).has_value()) return false;
+    if (!m.has_value()) return false;
+    const auto end = end_of_ray(a, *m);
+    if (!end.has_value()) return false;
     std::size_t visited = 0;
     for (std::uint32_t p = 0; p < members_.size(); ++p)
-      if (p != patch && !misses_segment(members_[p], a, *m, visited)) return false;
+      if (p != patch && !misses_segment(members_[p], a, *end, visited)) return false;
     return true;
   }
 

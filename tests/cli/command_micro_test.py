@@ -56,7 +56,7 @@ class MicroCommand(support.Folder):
         listed = self.folder / "cells.csv"
         # Cells of length 1: the solid is [1, 7]^3. Its walls are walls of cells, so that the outermost tiles touch them with their caps.
         report = self.micro("--model", solid, "--list", listed, counts="8,8,8")
-        self.assertEqual(report["tiles"], {"total": 512, "kept": 64, "crossing": 0, "touching": 216 - 64 + 6 * 36, "outside": 512 - 216 - 6 * 36, "undecided": 0})
+        self.assertEqual(report["tiles"], {"total": 512, "kept": 64, "crossing": 0, "touching": 216 - 64 + 6 * 36, "outside": 512 - 216 - 6 * 36, "undecided": 0, "floating": 0})
         lines = listed.read_text().splitlines()
         self.assertEqual(lines[0], "volume,i,j,k,status")
         self.assertEqual(len(lines), 513)
@@ -67,6 +67,18 @@ class MicroCommand(support.Folder):
         for jobs in (1, 2):
             self.micro("--model", solid, "--jobs", jobs, counts="8,8,8")
             self.assertEqual(support.only_file(self.out)["sha256"], report["output"]["sha256"])
+
+    def test_only_the_largest_part_is_kept_if_it_is_asked_for(self):
+        solid, listed = self.folder / "two.off", self.folder / "cells.csv"
+        # Two cubes: 4 x 4 x 4 cells lie in the one, and one in the other.
+        first, second = cube("0.5", "5.5").splitlines(), cube("5.7", "7.3").splitlines()
+        faces = ["4 " + " ".join(str(int(i) + 8) for i in line.split()[1:]) for line in second[10:]]
+        solid.write_text("\n".join(["OFF", "16 12 0", *first[2:10], *second[2:10], *first[10:], *faces]) + "\n")
+        both = self.micro("--model", solid, counts="8,8,8")
+        self.assertEqual((both["tiles"]["kept"], both["components"]), (65, 2))
+        one = self.micro("--model", solid, "--connected", "--list", listed, counts="8,8,8")
+        self.assertEqual((one["tiles"]["kept"], one["tiles"]["floating"], one["components"]), (64, 1, 1))
+        self.assertIn("0,6,6,6,floating", listed.read_text().splitlines())
 
     def test_thickness_is_a_number_of_each_wall(self):
         report = self.micro("--thickness", "1/8+1/20*sin(x)*cos(3*v)")

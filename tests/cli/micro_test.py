@@ -42,11 +42,14 @@ class Micro(unittest.TestCase):
         self.assertEqual(file["counts"], {"volumes": 1, "grids": 1, "cells": 3, "tiles": 3, "different_tiles": 2})
         self.assertEqual((file["format"], file["range"], file["exit"]), ("vmicro", [0, 2**20], 0))
 
-    def test_certify_does_not_decide_yet(self):
+    def test_certify_decides(self):
         done = run("certify", SOUND, "--json", "-")
-        self.assertEqual(done.returncode, 3, done)
+        self.assertEqual(done.returncode, 0, done)
         (file,) = self.files(done)
-        self.assertEqual((file["verdict"], file["format"], file["error"]["code"]), ("UNDECIDED", "vmicro", "not-covered"))
+        self.assertEqual((file["verdict"], file["format"], file["certificate"]["checked"]), ("VALID", "vmicro", True))
+        # Two posts, joined at their common wall or not, and a cube.
+        self.assertEqual([file["counts"][key] for key in ("volumes", "kinds", "cells", "tiles", "glued_caps", "components", "shells", "genus")],
+                         [1, 2, 3, 3, 1, 2, 2, 0])
 
     def test_a_file_that_breaks_a_rule_is_refused_with_its_line(self):
         bad = MICRO / "two_tiles_in_a_cell.vmicro"

@@ -152,6 +152,14 @@ VModelBody vmodel() {
   return b;
 }
 
+MicroBody micro() {
+  MicroBody b;
+  b.tiles.push_back({{Fraction{false, {1}, {2}}, {false, {3, 1}, {7, 9}}, {false, {1}, {2}}}, 300});
+  b.tiles.push_back({{Fraction{false, {1}, {2}}, {false, {1}, {2}}, {false, {1}, {2}}}, 0});
+  b.cage = vmodel();
+  return b;
+}
+
 // A body of each kind of finding.
 std::vector<VModelInvalidBody> invalid_vmodels() {
   const CellPoint a{3, {{{0, {0, 1}}, {300, {1, 2}}, {1, {3, 7}}}}};
@@ -159,12 +167,9 @@ std::vector<VModelInvalidBody> invalid_vmodels() {
   const SpanInterval t{1, {62, 0, std::uint64_t{1} << 62}}, u{0, {3, 2, 5}};
   const CellOverlap::Somewhere somewhere{{300, {t, u, u}}, {{{1, -2, 3}, {0, -64, 64}, {7, 8, 9}}}};
   const FaceArc first{0, 5, 3, t}, second{300, 0, 0, u};
-  return {{400, FlatCell{300, {0, 1, 129}}},
-          {400, LeftHandedCell{a}},
-          {400, SingularPoint{b}},
-          {400, CellOverlap{a, b}},
-          {400, CellOverlap{b, somewhere}},
-          {400, CrowdedCurve{{first, second, first}}},
+  return {{400, FlatCell{300, {0, 1, 129}}}, {400, LeftHandedCell{a}},
+          {400, SingularPoint{b}},           {400, CellOverlap{a, b}},
+          {400, CellOverlap{b, somewhere}},  {400, CrowdedCurve{{first, second, first}}},
           {400, PinchedPoint{300, 7}}};
 }
 
@@ -222,6 +227,7 @@ std::map<std::string, Example, std::less<>> examples() {
   VModelQuantities of_cells;
   of_cells.euler = -3;
   all["vmodel-1"] = {encode(subject, of_cells, vmodel()), {vmodel()}, {}};
+  all["microstructure-1"] = {encode(subject, MicroQuantities{}, micro()), {micro()}, {}};
   std::vector<AnyBody> findings;
   for (const VModelInvalidBody& body : invalid_vmodels()) findings.emplace_back(body);
   all["vmodel-invalid-1"] = {encode(subject, invalid_vmodels()[0]), std::move(findings), {}};

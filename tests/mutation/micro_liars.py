@@ -398,9 +398,9 @@ def wound_tiles(rng):
         tile = plain_tile(rng)
         if what == 2:
             tile.exit = rng.choice([n for n in range(len(tile.patches)) if n != tile.exit])
-            if tile.patches[tile.exit][1] == (1, 1) and examples.exit_of(tile) != tile.exit and len(
-                    {tile.wall_of(v) for v in tile.quads[tile.exit]}) == 1 and tile.wall_of(tile.quads[tile.exit][0]) is not None:
-                return                                    # it is right, too
+            middle = [sum(c) / 4 for c in zip(*[tile.at(v, [(tile.extent or (0, 0))[0]] * 6) for v in tile.quads[tile.exit]])]
+            if sum(a != b for a, b in zip(middle, tile.centre)) == 1:
+                return                                    # it may be right, too
         else:
             tile.centre = tuple(c + Q(rng.choice((-1, 1)), 1 << 40) for c in tile.centre)
     yield "F2_wound", told(small(rng, [tile]), "F2")

@@ -66,6 +66,17 @@ TEST(MicroTopology, EmptyCellsCutTheStructure) {
   EXPECT_EQ(c.genus, 0);
 }
 
+TEST(MicroTopology, TheLargestComponentIsKept) {
+  Microstructure micro = full({cube(0, 0, 0)}, {6, 1, 1}, jack());
+  micro.grids[0].tiles[1] = micro.grids[0].tiles[4] = 0;  // 1, 2 and 1 tiles
+  const VModel cage = make_v_model(micro.cage, VOrientation::kAuto).value();
+  const std::vector<AnalysedTile> tiles = {std::get<AnalysedTile>(analyse_tile(micro.tiles[0]))};
+  const auto floating = keep_largest_component(cage, tiles, micro);
+  EXPECT_EQ(std::get<0>(floating), (std::vector<std::vector<std::uint64_t>>{{0, 5}}));
+  EXPECT_EQ(counts_of(micro).tiles, 2u);
+  EXPECT_EQ(counts_of(micro).components, 1u);
+}
+
 // PROVES MICRO-1.G1
 TEST(MicroTopology, NumbersOfWallsLieInTheRangeOfTheTile) {
   Microstructure micro = full({cube(0, 0, 0)}, {2, 1, 1}, jack({{kEighth, 2 * kEighth}}), kEighth);

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: LGPL-3.0-or-later solids/micro/mesh/quad_gap_internal.h: how far the bilinear patch of
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/micro/mesh/quad_gap_internal.h: how far the bilinear patch of
 // four points lies from its two triangles. Internal to solids/micro/mesh.
 #pragma once
 #include "predicates/vec.h"

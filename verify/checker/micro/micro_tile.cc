@@ -191,8 +191,10 @@ void check_winding(const MicroTile& tile) {  // F2
     if (order != 0) ++different, axis = c;
   }
   require(different == 1, "F2", "the exit's middle and a differ in coordinates:", different);
-  require(lo[axis].n.sign() == 0 || (hi[axis].n.is_one() && hi[axis].d.is_one()), "F2",
-          "the exit's middle is not in a wall of the cube: patch", tile.exit);
+  if (compare(tile.centre[axis], lo[axis]) == 0)  // to the wall beyond the middle
+    hi[axis] = Ratio(Big(1));
+  else
+    lo[axis] = Ratio(Big(0));
   int visited = 0;
   for (uint64_t s = 0; s < tile.patches.size(); ++s)
     if (s != tile.exit) check_missed(at_number(tile.patches[s], tile.lo), lo, hi, s, &visited);

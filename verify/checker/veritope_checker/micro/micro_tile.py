@@ -139,11 +139,14 @@ class Tile:
         apart = [axis for axis in range(3) if middle[axis] != self.centre[axis]]
         if patch.degrees != (1, 1) or any(a - b - c + d for a, b, c, d in zip(*points)):
             self.fail("F2", "patch %d is no parallelogram" % self.exit)
-        if len(apart) != 1 or middle[apart[0]] not in (0, 1):
-            self.fail("F2", "the middle of patch %d is not on the cube, or not across from the centre" % self.exit)
+        if len(apart) != 1:
+            self.fail("F2", "the middle of patch %d is not across from the centre" % self.exit)
+        end = list(self.centre)
+        for axis in apart:                                  # the wall beyond the middle
+            end[axis] = Fraction(0 if middle[axis] < end[axis] else 1)
         visited = [0]
         for n, other in enumerate(self.patches):
-            if n != self.exit and not is_missed(other.at_number(lo), other.degrees, self.centre, middle, visited):
+            if n != self.exit and not is_missed(other.at_number(lo), other.degrees, self.centre, end, visited):
                 self.fail("F2", "patch %d may meet the segment from the centre" % n)
 
     # ------------------------------------------------------------ section 5

@@ -13,7 +13,7 @@ constexpr std::array<Command, 19> kCommands = {{
     {"convert", "write a mesh or splines in another format, without loss", declare_convert},
     {"build", "write volumes from a tree of shapes and constructors", declare_build},
     {"cage", "write a cage of volumes that guides microstructures", declare_cage},
-    {"micro", "write a microstructure: tiles of a cage that lie in a solid", declare_micro},
+    {"micro", "write a microstructure: tiles that lie in a solid", declare_micro},
     {"intersect", "find where the surfaces of two files meet, and prove it", declare_intersect},
     {"project", "find where distances are critical, and prove it", declare_project},
     {"classify", "decide whether points are in, on or out of a solid", declare_classify},

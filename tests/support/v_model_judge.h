@@ -98,6 +98,10 @@ inline Judged judged(const std::vector<VVolume>& cells, PatchOrientation orienta
   if (c.verdict == Verdict::kUndecided) return out;
   const std::string answer = check_in_process(c.copy ? c.copy->bytes : out.file,
                                               {c.certificate.begin(), c.certificate.end()});
+  if (answer.find("more work than allowed") != answer.npos) {  // as the program takes it
+    out.certified.verdict = Verdict::kUndecided;
+    return out;
+  }
   if (answer.substr(0, 7) != "ACCEPT ") out.problem = "the checker says: " + answer;
   for (const Finding& f : c.findings) {
     if (!f.witness.fold) continue;

@@ -175,14 +175,13 @@ class MicroTest(unittest.TestCase):
     # ------------------------------------------------------------ limits
 
     def test_patches_whose_coefficients_are_too_long(self):
-        """A limit of this checker: the page has none."""
         plan = micro((1, 1, 1), tiles=[examples.jack(grows=Q(0))])
         tile = plan.tiles[0]
         patch = tile.patches[0]
         for k in range(6):
             patch = examples.raised(examples.raised(patch, 0), 1)
-        primes = [p for p in range(10 ** 6, 10 ** 6 + 3000) if all(p % d for d in range(2, 1001))]
-        points = [[c + Q(1, p * p * p) for c in point] for point, p in zip(patch[2][0], primes)]
+        primes = iter([p for p in range(10 ** 6, 10 ** 6 + 5000) if all(p % d for d in range(2, 1001))])
+        points = [[c + Q(1, next(primes) ** 3) for c in point] for point in patch[2][0]]
         tile.patches[0] = patch[0], patch[1], [points]
         self.judged("B2", plan)
 

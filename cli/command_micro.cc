@@ -92,20 +92,19 @@ class MicroRun {
   Status check_outputs() const {
     const Result<OutputPlan> plan = plan_outputs(inputs(), std::nullopt, options_.json);
     if (!plan) return plan.error();
-    if (const Status status =
-            check_output("--output", *options_.output, inputs(), *plan, options_.json);
-        !status)
-      return status;
-    if (options_.list)
-      if (const Status status =
-              check_output("--list", *options_.list, inputs(), *plan, options_.json);
+    std::vector<std::pair<std::string, std::string>> outputs;  // options and files
+    for (const auto& [option, path] :
+         {std::pair{"--output", &options_.output}, std::pair{"--list", &options_.list},
+          std::pair{"--mesh", &options_.mesh}}) {
+      if (!path->has_value()) continue;
+      if (const Status status = check_output(option, **path, inputs(), *plan, options_.json);
           !status)
         return status;
-    if (options_.mesh)
-      if (const Status status =
-              check_output("--mesh", *options_.mesh, inputs(), *plan, options_.json);
-          !status)
-        return status;
+      for (const auto& [other, taken] : outputs)
+        if (taken == **path || same_target(taken, **path))
+          return bad_argument(other + " and " + option + " would both write " + **path);
+      outputs.emplace_back(option, **path);
+    }
     return try_outputs(*plan, {options_.json, options_.output, options_.list, options_.mesh});
   }
 

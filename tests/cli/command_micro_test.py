@@ -150,6 +150,9 @@ class MicroCommand(support.Folder):
             self.assertEqual(run(*base, "1,1,1", "--thickness", formula).returncode, 2, formula)
         for mesh in (["--mesh", "m.ply"], ["--chord", "1"], ["--mesh", "m.xyz", "--chord", "1"], ["--mesh", "m.ply", "--chord", "0"]):
             self.assertEqual(run(*base, "1,1,1", *mesh).returncode, 2, mesh)
+        for option in (["--list", self.out], ["--mesh", self.out.with_suffix(".ply"), "--chord", "1", "--list", self.out.with_suffix(".ply")],
+                       ["--list", self.box], ["--json", self.out]):
+            self.assertEqual(run(*base, "1,1,1", *option).returncode, 2, option)
         self.assertEqual(run("micro", "--cage", self.folder / "none.vjson", "--tile", "jack", "--counts", "1,1,1", "-o", self.out).returncode, 4)
         self.assertFalse(self.out.exists())
         done = run("micro", "--cage", self.box, "--tile", "jack", "--counts", "1,1,1", "-o", "-")

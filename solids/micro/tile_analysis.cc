@@ -13,7 +13,8 @@
 namespace veritope {
 namespace {
 
-constexpr std::size_t kMaxCentres = 100;  // that are tried
+constexpr std::size_t kMaxCentres = 100;    // that are tried
+constexpr std::size_t kMaxCentreBits = 64;  // of numerators and denominators: B2 of the page
 
 using Family = BezierVolume<Rational>;
 using Member = BezierSurface<Rational>;  // a patch for the least number of the range
@@ -92,6 +93,12 @@ bool misses_segment(const Member& s, const TilePoint& a, const TilePoint& m, std
   return true;
 }
 
+bool may_be_centre(const TilePoint& a) {
+  return std::all_of(a.begin(), a.end(), [](const Rational& x) {
+    return Rational(0) < x && x < Rational(1) && x.denominator().bit_length() <= kMaxCentreBits;
+  });
+}
+
 class StarSearch {
  public:
   StarSearch(const std::vector<Family>& families, const TileSurface& surface)
@@ -122,7 +129,8 @@ class StarSearch {
         for (const int sixteenth : {8, 4, 12, 2, 6, 10, 14}) {
           TilePoint a = *m;
           a[axis] = Rational(sixteenth) / Rational(16);
-          if (std::find(out.begin(), out.end(), a) == out.end()) out.push_back(std::move(a));
+          if (may_be_centre(a) && std::find(out.begin(), out.end(), a) == out.end())
+            out.push_back(std::move(a));
         }
       }
     }

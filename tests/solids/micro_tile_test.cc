@@ -114,6 +114,16 @@ TEST(TileAnalysis, ABoxBetweenTwoWallsHasTwoCaps) {
   EXPECT_EQ(shells_without(tile, 3).count, 1u);
 }
 
+TEST(TileAnalysis, CentresHaveNumbersThatACertificateMayHave) {
+  // Off the middle of the cube: its centre lies straight behind the middle of a side.
+  MicroTile tile = box_tile({2, 2, 0}, {10, 10, 64});
+  EXPECT_EQ(analysed(tile).centre, at(8, 6, 32));
+  const Rational shift = Rational(1) / Rational(power_of_two(100) + Integer(1));
+  for (TilePatch& patch : tile.patches)
+    for (TilePoint& p : patch.points[0]) p[0] += shift, p[1] += shift;
+  EXPECT_EQ(condition_of(tile), "F1");
+}
+
 // PROVES MICRO-1.S0
 TEST(TileAnalysis, RefusesSurfacesThatAreNotClosed) {
   MicroTile tile = box_tile({16, 16, 0}, {48, 48, 64});

@@ -384,6 +384,15 @@ class Lies(Judged):
         self.reject(one(bigger), "F2")
         self.accept(one(bigger.copy(exit=3)), 1, 1, 0, 1, 1, 0)
 
+    def test_f2_looks_beyond_the_exit(self):
+        def shrunk(x):
+            return tuple(HALF + (c - HALF) / 4 for c in x)
+        inner = [s.mapped(shrunk) for s in mf.jack().patches]
+        self.accept(one(mf.Tile("inner", inner)), 1, 1, 0, 1, 1, 0)         # without caps
+        both = mf.jack().patches + inner
+        self.reject(one(mf.Tile("nested", both, exit=len(inner))), "F2")    # the outer surface lies between the exit and the wall
+        self.reject(one(mf.Tile("nested", both)), "F2")
+
     def test_f2_needs_a_parallelogram(self):
         def change(patches):
             def moved(p):                                  # a trapezoid around the same middle

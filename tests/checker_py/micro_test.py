@@ -174,6 +174,15 @@ class MicroTest(unittest.TestCase):
 
     # ------------------------------------------------------------ limits
 
+    def test_a_surface_between_the_exit_and_the_wall(self):
+        plan = micro((1, 1, 1), tiles=[examples.jack(grows=Q(0))])
+        tile = plan.tiles[0]
+        inner = [(wall, degrees, [[[Q(1, 2) + (Q(c) - Q(1, 2)) / 4 for c in p] for p in lists[0]]]) for wall, degrees, lists in tile.patches]
+        tile.patches += inner
+        self.judged("F2", plan)
+        tile.exit += len(inner)
+        self.judged("F2", plan)
+
     def test_patches_whose_coefficients_are_too_long(self):
         plan = micro((1, 1, 1), tiles=[examples.jack(grows=Q(0))])
         tile = plan.tiles[0]

@@ -42,6 +42,7 @@ unsigned facts(const std::string& statement) {
   if (claim == "patch-invalid-2") return kCrossing;
   if (claim == "volume-folded-1") return kFolded;  // it says nothing about faces
   if (claim == "vmodel-1") return kOneHand;        // faces have another format
+  if (claim == "vmodel-invalid-1" || claim == "microstructure-1") return 0;
   if (claim == "star-box-turned-1" || claim == "star-box-turned-2") return kEmbedded | kReversed;
   return get(statement, "flipped") == "0" ? kEmbedded | kSolid : kEmbedded;
 }

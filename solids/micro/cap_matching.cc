@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "splines/binomial.h"
+#include "solids/micro/power_form_internal.h"
 
 namespace veritope {
 namespace {
@@ -66,22 +66,13 @@ FlatPatch turned_patch(const FlatPatch& patch, unsigned symmetry) {
   return out;
 }
 
-// Bernstein coefficients of a line of numbers to those of 1, x, x^2, ...
+// Replaces a line of Bernstein coefficients by those of 1, x, x^2, ...
 void to_powers(std::vector<Rational>& values, std::size_t begin, std::size_t step, int degree) {
-  std::vector<Rational> b;
-  for (int i = 0; i <= degree; ++i) b.push_back(values[begin + static_cast<std::size_t>(i) * step]);
-  for (int k = 0; k <= degree; ++k) {
-    Rational sum;
-    for (int i = 0; i <= k; ++i) {
-      const Rational term =
-          Rational(binomial(degree, k) * binomial(k, i)) * b[static_cast<std::size_t>(i)];
-      if ((k - i) % 2 == 0)
-        sum += term;
-      else
-        sum -= term;
-    }
-    values[begin + static_cast<std::size_t>(k) * step] = std::move(sum);
-  }
+  std::vector<Rational> line;
+  for (int i = 0; i <= degree; ++i)
+    line.push_back(values[begin + static_cast<std::size_t>(i) * step]);
+  line = internal::powers_of(line);
+  for (std::size_t i = 0; i < line.size(); ++i) values[begin + i * step] = std::move(line[i]);
 }
 
 // The polynomial map as a text that does not depend on the degrees in which it is given.

@@ -68,19 +68,15 @@ void for_each_wall(MicroGrid& grid, std::uint32_t number, std::size_t axis, Visi
   }
 }
 
-// The number of a wall of a cell.
-std::int32_t& number_at(Microstructure& micro, const CellWall& w) {
-  MicroGrid& grid = micro.grids[w.grid];
-  const auto axis = static_cast<std::size_t>(w.wall / 2);
-  auto at = grid.shape().index_of(w.cell);
-  at[axis] += static_cast<std::size_t>(w.wall % 2);
-  return grid.walls[axis][grid.wall_shape(axis).at(at)];
-}
 GridWall grid_wall(const Microstructure& micro, const CellWall& w) {
   const auto axis = static_cast<std::size_t>(w.wall / 2);
   GridWall out{w.grid, axis, micro.grids[w.grid].shape().index_of(w.cell)};
   out.at[axis] += static_cast<std::size_t>(w.wall % 2);
   return out;
+}
+std::int32_t& number_at(Microstructure& micro, const GridWall& w) {
+  MicroGrid& grid = micro.grids[w.grid];
+  return grid.walls[w.axis][grid.wall_shape(w.axis).at(w.at)];
 }
 bool is_whole_square(const WallPlacement& p) {
   for (std::size_t k = 0; k < 2; ++k) {
@@ -131,14 +127,15 @@ Status number_walls(const VModel& model,
   std::optional<Error> error;
   for_each_wall_pair(micro, model, [&](const WallPair& pair) {
     if (pair.has_shared_number || !is_whole_square((*pair.placements)[1])) return true;
-    std::int32_t& first = number_at(micro, pair.walls[0]);
+    const GridWall wall = grid_wall(micro, pair.walls[0]);
+    std::int32_t& first = number_at(micro, wall);
     if (first == kNoNumber) {
-      const Result<std::int32_t> n = number(grid_wall(micro, pair.walls[0]));
+      const Result<std::int32_t> n = number(wall);
       if (!n) error = n.error();
       if (error.has_value()) return false;
       first = *n;
     }
-    number_at(micro, pair.walls[1]) = first;
+    number_at(micro, grid_wall(micro, pair.walls[1])) = first;
     return true;
   });
   for (std::uint32_t g = 0; g < micro.grids.size(); ++g)

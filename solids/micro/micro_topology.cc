@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "robust/base/disjoint_sets.h"
-#include "solids/vmodel/v_parts.h"
 
 namespace veritope {
 namespace {
@@ -108,9 +107,9 @@ class Topology {
       at.wall = *patch.wall;
       return MicroDefect{"G1",
                          {at},
-                         "the number " + std::to_string(k) + " of wall " + name_of_wall(at) +
-                             " is not in the range of its tile, " + std::to_string(lo) + " to " +
-                             std::to_string(hi)};
+                         "the number " + std::to_string(k) + " of wall " +
+                             name_of_wall(micro_, at) + " is not in the range of its tile, " +
+                             std::to_string(lo) + " to " + std::to_string(hi)};
     }
     return std::nullopt;
   }
@@ -130,20 +129,18 @@ class Topology {
       if (tiles_[grid.tiles[c] - 1u].caps_of_wall[static_cast<std::size_t>(wall)].empty()) continue;
       const CellWall at{g, c, wall};
       return MicroDefect{
-          "G2", {at}, "the tile has a cap in wall " + name_of_wall(at) + ", which is collapsed"};
+          "G2",
+          {at},
+          "the tile has a cap in wall " + name_of_wall(micro_, at) + ", which is collapsed"};
     }
     return std::nullopt;
-  }
-  std::string name_of_wall(const CellWall& w) const {
-    return v_face_name(static_cast<std::size_t>(w.wall)) + " of " +
-           name_of_cell(micro_, w.grid, w.cell);
   }
   MicroDefect clash_of(const WallPair& pair, const std::array<std::uint32_t, 2>& caps) const {
     return {"T4",
             {pair.walls[0], pair.walls[1]},
-            "cap " + std::to_string(caps[0]) + " in wall " + name_of_wall(pair.walls[0]) +
-                " and cap " + std::to_string(caps[1]) + " in wall " + name_of_wall(pair.walls[1]) +
-                " are neither equal nor apart"};
+            "cap " + std::to_string(caps[0]) + " in wall " + name_of_wall(micro_, pair.walls[0]) +
+                " and cap " + std::to_string(caps[1]) + " in wall " +
+                name_of_wall(micro_, pair.walls[1]) + " are neither equal nor apart"};
   }
 
   template <typename Use>

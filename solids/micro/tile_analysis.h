@@ -30,7 +30,7 @@ struct AnalysedTile {
   std::array<std::vector<std::uint32_t>, 6> caps_of_wall;
   std::vector<std::uint32_t> cap_of_patch;  ///< or kNoCap
   TilePoint centre;                         ///< each member is star-shaped about it
-  std::uint32_t exit = 0;                   ///< the patch through which a ray from it to a wall passes
+  std::uint32_t exit = 0;  ///< the patch through which a ray from it to a wall passes
 };
 
 /// How many steps the descents of F2 may take in all, and how often a patch may be halved.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "solids/micro/power_form_internal.h"
 #include "splines/bezier_calculus.h"
 #include "splines/bezier_components.h"
 #include "splines/bezier_product.h"
@@ -38,10 +39,11 @@ Coefficients bernstein_over(const Coefficients& c, const Rational& lo, const Rat
 
 Rational wall_number(std::int32_t k) { return Rational(k) * Rational::power_of_two(-kWallBits); }
 
-// Coefficients of 1, s, s^2, ... of a polynomial in Bernstein form.
-Coefficients powers_of(const Coefficients& b) {
+}  // namespace
+
+std::vector<Rational> internal::powers_of(const std::vector<Rational>& b) {
   const auto n = static_cast<int>(b.size()) - 1;
-  Coefficients out(b.size());
+  std::vector<Rational> out(b.size());
   for (int k = 0; k <= n; ++k)
     for (int i = 0; i <= k; ++i) {
       const Rational term =
@@ -53,8 +55,6 @@ Coefficients powers_of(const Coefficients& b) {
     }
   return out;
 }
-
-}  // namespace
 
 BezierVolume<Rational> family_of(const TilePatch& patch,
                                  const std::optional<std::array<std::int32_t, 2>>& range) {
@@ -103,7 +103,7 @@ std::string side_key(const TilePatch& patch, std::size_t side, bool is_backwards
       for (std::size_t i = 0; i < n; ++i)
         xyz[c].push_back(
             list[tile_side_index(patch.degrees, side, is_backwards ? n - 1 - i : i)][c]);
-      xyz[c] = powers_of(xyz[c]);
+      xyz[c] = internal::powers_of(xyz[c]);
     }
   }
   bool is_point = true;

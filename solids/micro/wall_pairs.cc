@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "solids/vmodel/v_parts.h"
+
 namespace veritope {
 namespace {
 
@@ -199,10 +201,11 @@ bool for_each_wall_pair(const Microstructure& micro, const VModel& cage,
   return PairVisitor(micro, cage, visit).run();
 }
 
-std::string name_of_cell(const Microstructure& micro, std::uint32_t grid, std::uint64_t cell) {
-  const auto at = micro.grids[grid].shape().index_of(cell);
-  return "cell (" + std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " +
-         std::to_string(at[2]) + ") of grid " + std::to_string(grid);
+std::string name_of_wall(const Microstructure& micro, const CellWall& wall) {
+  const auto at = micro.grids[wall.grid].shape().index_of(wall.cell);
+  return v_face_name(static_cast<std::size_t>(wall.wall)) + " of cell (" + std::to_string(at[0]) +
+         ", " + std::to_string(at[1]) + ", " + std::to_string(at[2]) + ") of grid " +
+         std::to_string(wall.grid);
 }
 
 }  // namespace veritope

@@ -47,7 +47,7 @@ inline constexpr std::uint64_t kMaxWallMeetings = std::uint64_t{1} << 24;
 bool for_each_wall_pair(const Microstructure& micro, const VModel& cage,
                         const std::function<bool(const WallPair&)>& visit);
 
-/// "cell (1, 0, 2) of grid 0".
-std::string name_of_cell(const Microstructure& micro, std::uint32_t grid, std::uint64_t cell);
+/// "u0 of cell (1, 0, 2) of grid 0".
+std::string name_of_wall(const Microstructure& micro, const CellWall& wall);
 
 }  // namespace veritope

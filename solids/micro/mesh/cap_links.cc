@@ -97,13 +97,13 @@ class LinkFinder {
     const CapMatch match =
         matcher_.match(pair, tiles, {wall_numbers(pair.walls[0]), wall_numbers(pair.walls[1])});
     if (match.clash.has_value()) {
-      error_ = bad_argument("a cap in a wall of " + name_of(pair.walls[0]) + " and one of " +
-                            name_of(pair.walls[1]) + " are neither equal nor apart");
+      error_ = bad_argument("a cap in wall " + name_of_wall(micro_, pair.walls[0]) +
+                            " and one in wall " + name_of_wall(micro_, pair.walls[1]) +
+                            " are neither equal nor apart");
       return;
     }
     add(cells, owner, rims_of(pair, match, kinds, owner));
   }
-  std::string name_of(const CellWall& w) const { return name_of_cell(micro_, w.grid, w.cell); }
 
   Rims rims_of(const WallPair& pair, const CapMatch& match,
                const std::array<std::uint32_t, 2>& kinds, std::size_t owner) {
@@ -122,8 +122,8 @@ class LinkFinder {
             {mine.side, other->second.side, mine.is_backwards != other->second.is_backwards});
       }
       if (rim.sides.size() != sides[0].size() || rim.sides.size() != sides[1].size())
-        error_ = bad_argument("equal caps of " + name_of(pair.walls[0]) + " and " +
-                              name_of(pair.walls[1]) + " have different rims");
+        error_ = bad_argument("equal caps of " + name_of_wall(micro_, pair.walls[0]) + " and " +
+                              name_of_wall(micro_, pair.walls[1]) + " have different rims");
       std::sort(rim.sides.begin(), rim.sides.end());
       const auto [at, is_new] =
           known_.try_emplace(std::move(rim), static_cast<std::uint32_t>(out_.rims.size()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solids/micro/synthesis/filter_tiles.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 

@@ -13,13 +13,13 @@
 namespace veritope {
 namespace {
 
-std::string name_of_wall(const Microstructure& micro, const GridWall& w) {
-  const auto end =
-      static_cast<std::size_t>(w.at[w.axis] == micro.grids[w.grid].shape().size[w.axis]);
+// A cell that has the wall: that before it at the end of a grid, else that after it.
+CellWall cell_beside(const Microstructure& micro, const GridWall& w) {
+  const Grid<3> shape = micro.grids[w.grid].shape();
+  const bool is_last = w.at[w.axis] == shape.size[w.axis];
   std::array<std::size_t, 3> cell = w.at;
-  cell[w.axis] -= end;
-  return std::string(1, "uvw"[w.axis]) + (end == 0 ? "0" : "1") + " of " +
-         name_of_cell(micro, w.grid, micro.grids[w.grid].shape().at(cell));
+  if (is_last) --cell[w.axis];
+  return {w.grid, shape.at(cell), static_cast<int>(2 * w.axis) + (is_last ? 1 : 0)};
 }
 
 class WallEvaluator {
@@ -42,7 +42,7 @@ class WallEvaluator {
 
  private:
   Error about(const GridWall& wall, const std::string& what) const {
-    return bad_argument("wall " + name_of_wall(micro_, wall) + ": " + what);
+    return bad_argument("wall " + name_of_wall(micro_, cell_beside(micro_, wall)) + ": " + what);
   }
   std::vector<Rational> values_at(const GridWall& wall) const {
     const VVolume& volume = micro_.cage[micro_.grids[wall.grid].volume];

@@ -31,6 +31,7 @@ void put_micro_facts(const FileReport& report, Json& out) {
                    {"kinds", f.kinds},
                    {"cells", n.cells},
                    {"tiles", n.tiles},
+                   {"bridges", n.bridges},
                    {"glued_caps", if_valid(n.glued_caps)},
                    {"components", if_valid(n.components)},
                    {"shells", if_valid(n.shells)},
@@ -41,7 +42,8 @@ void put_micro_facts(const FileReport& report, Json& out) {
 
 std::string micro_summary(const FileReport& report) {
   const MicroCounts& n = micro_of(report).counts;
-  return counted(n.tiles, "tile", "tiles") + ", " +
+  const std::string bridges = n.bridges == 0 ? "" : counted(n.bridges, "bridge", "bridges") + ", ";
+  return counted(n.tiles, "tile", "tiles") + ", " + bridges +
          counted(n.components, "component", "components") + ", genus " + std::to_string(n.genus);
 }
 

@@ -47,6 +47,15 @@ class MicroReader : SplineJsonLexer {
   bool read_cells(std::size_t grid);
   bool read_bits(std::size_t grid, std::size_t tile);
   bool read_walls(std::size_t grid, std::size_t axis);
+  bool read_all_walls();
+  bool read_bridge();
+  bool read_bridge_number(std::size_t key, MicroBridge& bridge);
+  bool read_material();
+  bool read_values(std::size_t grid, std::vector<std::int64_t>& values);
+  bool read_degrees(std::array<int, 2>& degrees);
+  bool read_point(TilePoint& point) {
+    return read_exactly(3, [&](std::size_t c) { return read_exact(point[c]); });
+  }
 
   // Reads digits without a sign, up to `most`.
   bool read_natural(const char* what, std::uint64_t most, std::uint64_t& value);
@@ -71,15 +80,22 @@ class MicroReader : SplineJsonLexer {
 };
 
 bool MicroReader::read() {
-  const std::initializer_list<std::string_view> keys = {"format", "model", "cage", "grids",
-                                                        "tiles",  "cells", "walls"};
+  const std::initializer_list<std::string_view> keys = {
+      "format", "model", "cage", "grids", "tiles", "cells", "walls", "bridges", "materials"};
+  constexpr std::size_t kNumOptional = 2;  // at the end
   std::size_t next = 0;
-  const bool ok = read_object(keys, [&](std::size_t key) {
-    if (key == next) return ++next, read_member(key);
-    return fail(p_, Code::kSyntax,
-                "the key " + quoted(keys.begin()[next]) + " must come before the key " +
-                    quoted(keys.begin()[key]));
-  });
+  const bool ok = read_object(
+      keys,
+      [&](std::size_t key) {
+        if (key == next || (key > next && next + kNumOptional >= keys.size())) {
+          next = key + 1;
+          return read_member(key);
+        }
+        return fail(p_, Code::kSyntax,
+                    "the key " + quoted(keys.begin()[std::min(next, key + 1)]) +
+                        " must come before the key " + quoted(keys.begin()[key]));
+      },
+      kNumOptional);
   return ok && (is_at_end() || fail_expected("the end of the file"));
 }
 
@@ -97,11 +113,16 @@ bool MicroReader::read_member(std::size_t key) {
              (!micro_.tiles.empty() || fail(at, Code::kSyntax, "there are 0 tiles"));
     }
     case 5: return each_grid([this](std::size_t grid) { return read_cells(grid); });
-    default: break;
+    case 6: return read_all_walls();
+    case 7: return read_list([this] { return read_bridge(); });
+    default: return read_list([this] { return read_material(); });
   }
+}
+
+bool MicroReader::read_all_walls() {
   skip();
   if (!micro_.has_walls()) return read_exactly(0, [](std::size_t) { return true; });
-  return each_grid([this](std::size_t grid) {
+  return read_exactly(micro_.grids.size(), [this](std::size_t grid) {
     return read_exactly(3, [this, grid](std::size_t axis) { return read_walls(grid, axis); });
   });
 }
@@ -237,15 +258,19 @@ bool MicroReader::read_patch(TilePatch& patch) {
   return read_object({"wall", "degrees", "points"}, [&](std::size_t key) {
     std::uint64_t n = 0;
     if (key == 2) return read_powers(patch.points);
-    if (key == 1)
-      return read_exactly(2, [&](std::size_t i) {
-        if (!read_natural("a degree", kMaxTileDegree, n)) return false;
-        patch.degrees[i] = static_cast<int>(n);
-        return true;
-      });
+    if (key == 1) return read_degrees(patch.degrees);
     if (take_null()) return true;
     if (!read_natural("the wall of a patch", 5, n)) return false;
     patch.wall = static_cast<int>(n);
+    return true;
+  });
+}
+
+bool MicroReader::read_degrees(std::array<int, 2>& degrees) {
+  return read_exactly(2, [&](std::size_t i) {
+    std::uint64_t n = 0;
+    if (!read_natural("a degree", kMaxTileDegree, n)) return false;
+    degrees[i] = static_cast<int>(n);
     return true;
   });
 }
@@ -257,8 +282,7 @@ bool MicroReader::read_powers(std::vector<std::vector<TilePoint>>& powers) {
     std::vector<TilePoint>& points = powers.emplace_back();
     return read_list([&] {
       if (!is_within(points.size() + 1, kMostPoints, "points in a list of a patch")) return false;
-      TilePoint& point = points.emplace_back();
-      return read_exactly(3, [&](std::size_t c) { return read_exact(point[c]); });
+      return read_point(points.emplace_back());
     });
   });
 }
@@ -342,6 +366,68 @@ bool MicroReader::read_walls(std::size_t grid, std::size_t axis) {
     walls[i] = value, p_ = p;
   }
   return take_char(']') && accept(start, check_walls(micro_, grid, axis));
+}
+
+bool MicroReader::read_bridge() {
+  constexpr std::size_t kMostPoints =
+      (kMaxTileDegree + 1) * (kMaxTileDegree + 1) * (kBridgeAxisDegree + 1);
+  skip();
+  const char* const start = p_;
+  if (!is_within(micro_.bridges.size() + 1, kMaxMicroBridges, "bridges")) return false;
+  MicroBridge& bridge = micro_.bridges.emplace_back();
+  const bool ok =
+      read_object({"grid", "cell", "wall", "volume", "degrees", "points"}, [&](std::size_t key) {
+        if (key < 4) return read_bridge_number(key, bridge);
+        if (key == 4) return read_degrees(bridge.degrees);
+        return read_list([&] {
+          return is_within(bridge.points.size() + 1, kMostPoints, "points of a bridge") &&
+                 read_point(bridge.points.emplace_back());
+        });
+      });
+  return ok && accept(start, check_bridge(micro_, micro_.bridges.size() - 1));
+}
+
+bool MicroReader::read_bridge_number(std::size_t key, MicroBridge& bridge) {
+  constexpr std::array<const char*, 4> kWhat = {"the grid of a bridge", "the cell of a bridge",
+                                                "the wall of a bridge", "the volume of a bridge"};
+  const std::array<std::uint64_t, 4> most = {kMaxMicroGrids - 1, kMaxMicroCells - 1, 5,
+                                             kMaxMicroGrids - 1};
+  std::uint64_t n = 0;
+  if (!read_natural(kWhat[key], most[key], n)) return false;
+  if (key == 0) bridge.cap.grid = static_cast<std::uint32_t>(n);
+  if (key == 1) bridge.cap.cell = n;
+  if (key == 2) bridge.cap.wall = static_cast<int>(n);
+  if (key == 3) bridge.volume = static_cast<std::uint32_t>(n);
+  return true;
+}
+
+bool MicroReader::read_material() {
+  if (!is_within(micro_.materials.size() + 1, kMaxMicroMaterials, "materials")) return false;
+  MicroMaterial& material = micro_.materials.emplace_back();
+  return read_object({"name", "values"}, [&](std::size_t key) {
+    if (key == 0) return read_string(material.name);
+    return read_exactly(micro_.grids.size(), [&](std::size_t grid) {
+      return read_values(grid, material.values.emplace_back());
+    });
+  });
+}
+
+bool MicroReader::read_values(std::size_t grid, std::vector<std::int64_t>& values) {
+  const std::size_t count = micro_.grids[grid].corner_shape().count();
+  if (!check_announced(count, "values of a material")) return false;
+  values.reserve(count);
+  return read_exactly(count, [&](std::size_t) {
+    skip();
+    const char* const at = p_;
+    const bool is_negative = is_next('-');
+    if (is_negative) ++p_;
+    std::uint64_t n = 0;
+    if (!read_natural("a value of a material", kMaxMaterialNumber, n)) return false;
+    if (is_negative && n == 0) return fail(at, Code::kSyntax, "0 has no minus sign");
+    const auto value = static_cast<std::int64_t>(n);
+    values.push_back(is_negative ? -value : value);
+    return true;
+  });
 }
 
 }  // namespace

@@ -33,6 +33,14 @@ class MicroWriter {
     } else {
       out_ += "[]";
     }
+    if (!micro.bridges.empty()) {
+      out_ += ",\n\"bridges\": ";
+      lines(micro.bridges, [this](const MicroBridge& b) { bridge(b); });
+    }
+    if (!micro.materials.empty()) {
+      out_ += ",\n\"materials\": ";
+      lines(micro.materials, [this](const MicroMaterial& m) { material(m); });
+    }
     return std::move(out_ += "}\n");
   }
 
@@ -64,8 +72,8 @@ class MicroWriter {
   void integers(const List& items) {
     list(
         items,
-        [this](std::int32_t n) {
-          char digits[16];
+        [this](std::int64_t n) {
+          char digits[24];
           out_.append(digits, std::to_chars(digits, digits + sizeof digits, n).ptr);
         },
         ",");
@@ -143,6 +151,25 @@ class MicroWriter {
   void walls(const MicroGrid& grid) {
     list(
         grid.walls, [this](const std::vector<std::int32_t>& axis) { integers(axis); }, ", ");
+  }
+  void bridge(const MicroBridge& b) {
+    out_ += "{\"grid\": " + std::to_string(b.cap.grid) +
+            ", \"cell\": " + std::to_string(b.cap.cell) +
+            ", \"wall\": " + std::to_string(b.cap.wall) +
+            ", \"volume\": " + std::to_string(b.volume) + ", \"degrees\": ";
+    integers(b.degrees);
+    out_ += ", \"points\": ";
+    list(
+        b.points, [this](const TilePoint& point) { numbers(point); }, ", ");
+    out_ += '}';
+  }
+  void material(const MicroMaterial& m) {
+    out_ += "{\"name\": ";
+    text(m.name);
+    out_ += ", \"values\": ";
+    list(
+        m.values, [this](const std::vector<std::int64_t>& grid) { integers(grid); }, ", ");
+    out_ += '}';
   }
 
   std::string out_;

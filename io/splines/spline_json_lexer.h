@@ -35,9 +35,11 @@ class SplineJsonLexer : public SplineTextReader {
   /// [item, item, ...]
   template <typename Item>
   bool read_list(Item item);
-  /// Reads {"key": value, ...}; value(i) reads the value of keys[i]. All of `keys` must occur, once each, in any order.
+  /// Reads {"key": value, ...}; value(i) reads the value of keys[i]. All of `keys`, but for the last num_optional ones,
+  /// must occur, once each, in any order.
   template <typename Value>
-  bool read_object(std::initializer_list<std::string_view> keys, Value value);
+  bool read_object(std::initializer_list<std::string_view> keys, Value value,
+                   std::size_t num_optional = 0);
   /// Reads {"key": value, ...}; value(key, at) reads the value of a key whose text is at `at`. No key may occur twice.
   template <typename Value>
   bool read_members(Value value);
@@ -78,7 +80,8 @@ bool SplineJsonLexer::read_members(Value value) {
 }
 
 template <typename Value>
-bool SplineJsonLexer::read_object(std::initializer_list<std::string_view> keys, Value value) {
+bool SplineJsonLexer::read_object(std::initializer_list<std::string_view> keys, Value value,
+                                  std::size_t num_optional) {
   skip();
   const char* const start = p_;
   std::vector<bool> seen(keys.size());
@@ -90,7 +93,7 @@ bool SplineJsonLexer::read_object(std::initializer_list<std::string_view> keys, 
     return value(i);
   });
   if (!ok) return false;
-  for (std::size_t i = 0; i < seen.size(); ++i)
+  for (std::size_t i = 0; i + num_optional < seen.size(); ++i)
     if (!seen[i])
       return fail(start, Code::kSyntax, "the key " + quoted(keys.begin()[i]) + " is missing");
   return true;

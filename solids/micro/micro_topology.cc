@@ -21,6 +21,7 @@ class Topology {
       first += g.tiles.size();
     }
     counts_.cells = first;
+    counts_.bridges = micro.bridges.size();
   }
 
   std::variant<MicroCounts, MicroDefect> run() {

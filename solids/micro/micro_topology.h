@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/micro/micro_topology.h: how the tiles of a microstructure hang together. The conditions G1, G2 and T4, and
-// the numbers of docs/certificates/microstructure.md, section 7.
+// the numbers of docs/certificates/microstructure.md, section 8.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -12,7 +12,7 @@
 namespace veritope {
 
 struct MicroCounts {
-  std::uint64_t cells = 0, tiles = 0, glued_caps = 0, components = 0, shells = 0;
+  std::uint64_t cells = 0, tiles = 0, bridges = 0, glued_caps = 0, components = 0, shells = 0;
   std::int64_t genus = 0;  ///< the sum over the shells
   friend bool operator==(const MicroCounts&, const MicroCounts&) = default;
 };

@@ -280,6 +280,10 @@ Status validate(const Microstructure& micro) {
     for (std::size_t a = 0; a < 3; ++a)
       if (Status status = check_walls(micro, g, a); !status) return status;
   }
+  for (std::size_t b = 0; b < micro.bridges.size(); ++b)
+    if (Status status = check_bridge(micro, b); !status) return status;
+  for (std::size_t m = 0; m < micro.materials.size(); ++m)
+    if (Status status = check_material(micro, m); !status) return status;
   return ok_status();
 }
 

@@ -31,5 +31,10 @@ Status overlap_error(const Microstructure& micro, const std::array<std::size_t, 
 Status check_cells(const Microstructure& micro, std::size_t grid);
 /// The numbers of the walls across an axis. REQUIRES check_cells of the grid.
 Status check_walls(const Microstructure& micro, std::size_t grid, std::size_t axis);
+/// Whether the bridge starts at a wall of a cell with a tile, its volume exists, its net is as the page says, and its
+/// cap comes after that of the bridge before it; not whether it starts as a cap. REQUIRES check_cells of all grids.
+Status check_bridge(const Microstructure& micro, std::size_t bridge);
+/// REQUIRES check_breaks of all grids.
+Status check_material(const Microstructure& micro, std::size_t material);
 
 }  // namespace veritope

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "robust/base/result.h"
+#include "solids/micro/micro_bridge.h"
 #include "solids/micro/micro_tile.h"
 #include "solids/vmodel/v_model.h"
 #include "splines/grid.h"
@@ -43,6 +44,12 @@ struct MicroGrid {
     ++g.size[axis];
     return g;
   }
+  /// The corners of cells: one more along each axis than cells.
+  Grid<3> corner_shape() const {
+    Grid<3> g = shape();
+    for (std::size_t& n : g.size) ++n;
+    return g;
+  }
   /// All 0 if there are no numbers. REQUIRES a cell (i, j, k) of the grid.
   WallNumbers numbers_of(const std::array<std::size_t, 3>& cell) const;
 };
@@ -54,11 +61,24 @@ struct MicroModelName {
   friend bool operator==(const MicroModelName&, const MicroModelName&) = default;
 };
 
+inline constexpr std::size_t kMaxMicroMaterials = 16;
+inline constexpr std::int64_t kMaxMaterialNumber = (std::int64_t{1} << 52) - 1;
+
+/// A property of the points: trilinear in each cell, continuous across walls of one grid.
+struct MicroMaterial {
+  std::string name;
+  /// By grids: the values at the corners of cells, in 2^-20, one more than cells along each axis, the last one fastest.
+  std::vector<std::vector<std::int64_t>> values;
+  friend bool operator==(const MicroMaterial&, const MicroMaterial&) = default;
+};
+
 struct Microstructure {
   std::optional<MicroModelName> model;
   std::vector<VVolume> cage;
   std::vector<MicroGrid> grids;  ///< by ascending volumes
   std::vector<MicroTile> tiles;
+  std::vector<MicroBridge> bridges;  ///< by ascending caps
+  std::vector<MicroMaterial> materials;
 
   bool has_walls() const {
     for (const MicroTile& tile : tiles)

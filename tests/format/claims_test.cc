@@ -154,8 +154,12 @@ VModelBody vmodel() {
 
 MicroBody micro() {
   MicroBody b;
-  b.tiles.push_back({{Fraction{false, {1}, {2}}, {false, {3, 1}, {7, 9}}, {false, {1}, {2}}}, 300});
-  b.tiles.push_back({{Fraction{false, {1}, {2}}, {false, {1}, {2}}, {false, {1}, {2}}}, 0});
+  const Fraction half{false, {1}, {2}}, odd{true, {3, 1}, {7, 9}};
+  b.tiles.push_back(StarTileProof{{half, odd, half}, 300});
+  b.tiles.push_back(star_2());
+  b.tiles.push_back(StarTileProof{{half, half, half}, 0});
+  b.bridges.push_back({{half, odd, half, odd, half, odd, odd, odd, half}, {}});
+  b.bridges.push_back({{half, half, half, odd, half, odd, odd, odd, half}, {odd, half}});
   b.cage = vmodel();
   return b;
 }

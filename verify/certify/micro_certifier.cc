@@ -151,15 +151,16 @@ class MicroCertification {
 
   void conclude() {
     for (const AnalysedTile& tile : tiles_) {
-      certificate::MicroTileProof& proof = body_.tiles.emplace_back();
+      certificate::StarTileProof proof;
       for (std::size_t c = 0; c < 3; ++c) proof.centre[c] = to_fraction(tile.centre[c]);
       proof.exit = tile.exit;
+      body_.tiles.emplace_back(std::move(proof));
     }
     const MicroCounts& n = facts_.counts;
     out_.certificate = certificate::encode(
         subject_,
-        certificate::MicroQuantities{n.cells, n.tiles, n.glued_caps, n.components, n.shells,
-                                     static_cast<std::uint64_t>(n.genus)},
+        certificate::MicroQuantities{n.cells, n.tiles, n.bridges, n.glued_caps, n.components,
+                                     n.shells, static_cast<std::uint64_t>(n.genus)},
         body_);
     out_.claim = certificate::kMicroClaim;
     out_.verdict = Verdict::kValid;
@@ -180,6 +181,7 @@ MicroFacts micro_facts_of(const Microstructure& micro) {
   MicroFacts out;
   out.volumes = micro.cage.size();
   out.kinds = micro.tiles.size();
+  out.counts.bridges = micro.bridges.size();
   for (const MicroGrid& g : micro.grids) {
     out.counts.cells += g.tiles.size();
     for (const std::uint8_t t : g.tiles) out.counts.tiles += t != 0;

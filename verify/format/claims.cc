@@ -131,7 +131,7 @@ constexpr auto kClaims = std::to_array<Claim>({
      "", encode_as<VModelInvalidBody>, decode_whole<internal::read_vmodel_invalid>,
      explain_as<VModelInvalidBody>},
     {kMicroClaim, kMicroMagic, "microstructure.md", "vmicro", "",
-     "cells components genus glued_caps shells tiles", "", encode_as<MicroBody>,
+     "bridges cells components genus glued_caps shells tiles", "", encode_as<MicroBody>,
      decode_whole<internal::read_micro>, explain_as<MicroBody>},
 });
 

@@ -13,7 +13,8 @@
 namespace veritope::certificate {
 namespace {
 
-constexpr std::size_t kLeastBytesOfTile = 7;
+constexpr std::size_t kLeastBytesOfTile = 5, kLeastBytesOfBridge = 19;
+enum : std::uint8_t { kStar = 0, kBoxes = 1 };  // how a tile is proved
 
 // In decimals if it is below 2^64.
 std::string number_text(const Natural& n) {
@@ -27,15 +28,60 @@ std::string centre_text(const Fraction& x) {
   return (x.is_negative ? "-" : "") + number_text(x.numerator) + "/" + number_text(x.denominator);
 }
 
+void write_tile(internal::ByteWriter& w, const MicroTileProof& tile) {
+  w.u8(static_cast<std::uint8_t>(tile.index()));
+  if (const auto* const star = std::get_if<StarTileProof>(&tile)) {
+    for (const Fraction& x : star->centre) internal::write_fraction(w, x);
+    w.varint(star->exit);
+    return;
+  }
+  const Bytes boxes = encode(std::get<StarBoxBody>(tile));
+  w.u32(static_cast<std::uint32_t>(boxes.size()));
+  w.raw(boxes);
+}
+
+// Nothing if the bytes are no proof; then r has failed, or the proof of star boxes is none.
+std::optional<MicroTileProof> read_tile(ByteReader& r) {
+  const std::uint8_t kind = r.u8();
+  if (kind == kStar) {
+    StarTileProof star;
+    for (Fraction& x : star.centre) x = internal::read_fraction(r);
+    star.exit = r.varint();
+    return star;
+  }
+  if (kind != kBoxes) return std::nullopt;
+  const std::uint32_t length = r.u32();
+  const auto part = r.raw(length);
+  ByteReader magic(part);
+  const auto first = magic.raw(kStarBox2Magic.size());
+  if (!r.ok() || !magic.ok() || !std::equal(first.begin(), first.end(), kStarBox2Magic.begin()))
+    return std::nullopt;
+  auto boxes = internal::read_star_box_2(ByteReader(part));
+  if (!boxes) return std::nullopt;
+  return MicroTileProof(std::move(*boxes));
+}
+
+BridgeProof read_bridge(ByteReader& r) {
+  BridgeProof out;
+  for (Fraction& x : out.matrix) x = internal::read_fraction(r);
+  const std::uint8_t slices = r.u8();
+  if (slices == 0) r.fail();
+  for (unsigned j = 1; j < slices && r.ok(); ++j) out.cuts.push_back(internal::read_fraction(r));
+  return out;
+}
+
 }  // namespace
 
 Bytes encode(const MicroBody& body) {
   internal::ByteWriter w;
   w.text(kMicroMagic);
   w.u32(static_cast<std::uint32_t>(body.tiles.size()));
-  for (const MicroTileProof& tile : body.tiles) {
-    for (const Fraction& x : tile.centre) internal::write_fraction(w, x);
-    w.varint(tile.exit);
+  w.u32(static_cast<std::uint32_t>(body.bridges.size()));
+  for (const MicroTileProof& tile : body.tiles) write_tile(w, tile);
+  for (const BridgeProof& bridge : body.bridges) {
+    for (const Fraction& x : bridge.matrix) internal::write_fraction(w, x);
+    w.u8(static_cast<std::uint8_t>(bridge.cuts.size() + 1));
+    for (const Fraction& x : bridge.cuts) internal::write_fraction(w, x);
   }
   w.raw(encode(body.cage));
   return w.take();
@@ -48,6 +94,7 @@ Bytes encode(const Subject& subject, const MicroQuantities& q, const MicroBody& 
   w.text("body_sha256", to_hex(sha256(bytes)));
   w.number("cells", q.cells);
   w.number("tiles", q.tiles);
+  w.number("bridges", q.bridges);
   w.number("glued_caps", q.glued_caps);
   w.number("components", q.components);
   w.number("shells", q.shells);
@@ -58,11 +105,13 @@ Bytes encode(const Subject& subject, const MicroQuantities& q, const MicroBody& 
 std::optional<MicroBody> internal::read_micro(ByteReader r) {
   MicroBody out;
   r.raw(kMicroMagic.size());
-  out.tiles.resize(r.count(kLeastBytesOfTile));
-  for (MicroTileProof& tile : out.tiles) {
-    for (Fraction& x : tile.centre) x = internal::read_fraction(r);
-    tile.exit = r.varint();
+  const std::size_t tiles = r.count(kLeastBytesOfTile), bridges = r.count(kLeastBytesOfBridge);
+  for (std::size_t k = 0; k < tiles && r.ok(); ++k) {
+    auto tile = read_tile(r);
+    if (!tile) return std::nullopt;
+    out.tiles.push_back(std::move(*tile));
   }
+  for (std::size_t b = 0; b < bridges && r.ok(); ++b) out.bridges.push_back(read_bridge(r));
   ByteReader magic = r;
   const auto first = magic.raw(kVModelMagic.size());
   if (!magic.ok() || !std::equal(first.begin(), first.end(), kVModelMagic.begin()))
@@ -76,10 +125,19 @@ std::optional<MicroBody> internal::read_micro(ByteReader r) {
 std::string explain(const MicroBody& body, std::string_view claim, std::size_t max_items) {
   std::string out = "body: " + std::string(claim) + "\n";
   internal::append_list(out, "tiles", body.tiles.size(), max_items, [&](std::size_t i) {
-    const MicroTileProof& tile = body.tiles[i];
+    const auto* const star = std::get_if<StarTileProof>(&body.tiles[i]);
+    if (star == nullptr)
+      return std::to_string(std::get<StarBoxBody>(body.tiles[i]).boxes.size()) + " star boxes";
     std::string text = "star-shaped about (";
-    for (std::size_t c = 0; c < 3; ++c) text += (c == 0 ? "" : ", ") + centre_text(tile.centre[c]);
-    return text + "), left through patch " + std::to_string(tile.exit);
+    for (std::size_t c = 0; c < 3; ++c) text += (c == 0 ? "" : ", ") + centre_text(star->centre[c]);
+    return text + "), left through patch " + std::to_string(star->exit);
+  });
+  internal::append_list(out, "bridges", body.bridges.size(), max_items, [&](std::size_t i) {
+    const BridgeProof& bridge = body.bridges[i];
+    std::string text = "one to one by the matrix (";
+    for (std::size_t c = 0; c < bridge.matrix.size(); ++c)
+      text += (c == 0 ? "" : c % 3 == 0 ? "; " : ", ") + centre_text(bridge.matrix[c]);
+    return text + "), " + std::to_string(bridge.cuts.size() + 1) + " slices";
   });
   return out + "the cage as a " + explain(body.cage, kVModelClaim, max_items);
 }

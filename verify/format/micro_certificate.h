@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "verify/format/vmodel_certificate.h"
@@ -16,18 +17,28 @@ inline constexpr std::string_view kMicroClaim = "microstructure-1";
 inline constexpr std::string_view kMicroMagic = "VTMS";
 
 /// The point about which a tile is star-shaped, and the patch through which a ray from it leaves.
-struct MicroTileProof {
+struct StarTileProof {
   std::array<Fraction, 3> centre;
   std::uint64_t exit = 0;
 };
+/// A body of star-box-2, or why the tile is star-shaped.
+using MicroTileProof = std::variant<StarTileProof, StarBoxBody>;
+/// The matrix that shows that a bridge is one to one, row by row, and where it is cut into slices, strictly between 0
+/// and 1.
+struct BridgeProof {
+  std::array<Fraction, 9> matrix;
+  std::vector<Fraction> cuts;  ///< at most 254
+};
 struct MicroBody {
   std::vector<MicroTileProof> tiles;
+  std::vector<BridgeProof> bridges;
   VModelBody cage;
 };
 
 /// What the statement says beside its claim.
 struct MicroQuantities {
-  std::uint64_t cells = 0, tiles = 0, glued_caps = 0, components = 0, shells = 0, genus = 0;
+  std::uint64_t cells = 0, tiles = 0, bridges = 0, glued_caps = 0, components = 0, shells = 0,
+                genus = 0;
 };
 
 Bytes encode(const MicroBody& body);

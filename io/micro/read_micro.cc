@@ -91,9 +91,10 @@ bool MicroReader::read() {
           next = key + 1;
           return read_member(key);
         }
+        const std::size_t first = std::min(next, key), second = key < next ? next - 1 : key;
         return fail(p_, Code::kSyntax,
-                    "the key " + quoted(keys.begin()[std::min(next, key + 1)]) +
-                        " must come before the key " + quoted(keys.begin()[key]));
+                    "the key " + quoted(keys.begin()[first]) + " must come before the key " +
+                        quoted(keys.begin()[second]));
       },
       kNumOptional);
   return ok && (is_at_end() || fail_expected("the end of the file"));
@@ -402,6 +403,7 @@ bool MicroReader::read_bridge_number(std::size_t key, MicroBridge& bridge) {
 }
 
 bool MicroReader::read_material() {
+  skip();
   if (!is_within(micro_.materials.size() + 1, kMaxMicroMaterials, "materials")) return false;
   MicroMaterial& material = micro_.materials.emplace_back();
   return read_object({"name", "values"}, [&](std::size_t key) {
@@ -419,7 +421,7 @@ bool MicroReader::read_values(std::size_t grid, std::vector<std::int64_t>& value
   return read_exactly(count, [&](std::size_t) {
     skip();
     const char* const at = p_;
-    const bool is_negative = is_next('-');
+    const bool is_negative = p_ < source_.end && *p_ == '-';
     if (is_negative) ++p_;
     std::uint64_t n = 0;
     if (!read_natural("a value of a material", kMaxMaterialNumber, n)) return false;

@@ -21,6 +21,7 @@
 #include "solids/micro/mesh/micro_mesh.h"
 #include "solids/micro/synthesis/cage_around.h"
 #include "solids/micro/synthesis/filter_tiles.h"
+#include "solids/micro/synthesis/material.h"
 #include "solids/micro/synthesis/wall_thickness.h"
 #include "solids/vmodel/v_parts.h"
 #include "verify/certify/vmodel_certifier.h"
@@ -39,6 +40,7 @@ struct MicroOptions {
   bool has_tile = false;
   std::optional<std::array<std::uint64_t, 3>> counts;
   std::optional<RealFormula> thickness;
+  std::vector<std::pair<std::string, RealFormula>> materials;  // names and formulas
   std::optional<std::string> output, list, mesh, json;
   std::optional<double> chord;
   bool wants_connected = false;
@@ -61,9 +63,27 @@ std::string take_counts(const std::string& text,
   return "";
 }
 
+Result<RealFormula> formula_of(const std::string& text) {
+  return parse_formula(text,
+                       std::vector<std::string>(kWallVariables.begin(), kWallVariables.end()));
+}
+
+std::string take_material(const std::string& text, MicroOptions& options) {
+  const std::size_t sign = text.find('=');
+  if (sign == 0 || sign == text.npos) return "needs NAME=EXPR, not " + text;
+  const std::string name = text.substr(0, sign);
+  for (const auto& other : options.materials)
+    if (other.first == name) return "names " + name + " twice";
+  if (options.materials.size() == kMaxMicroMaterials)
+    return "is given more than " + std::to_string(kMaxMicroMaterials) + " times";
+  Result<RealFormula> formula = formula_of(text.substr(sign + 1));
+  if (!formula) return name + " is not a formula: " + formula.error().message;
+  options.materials.emplace_back(name, std::move(*formula));
+  return "";
+}
+
 std::string take_thickness(const std::string& text, MicroOptions& options) {
-  const std::vector<std::string> variables(kWallVariables.begin(), kWallVariables.end());
-  Result<RealFormula> formula = parse_formula(text, variables);
+  Result<RealFormula> formula = formula_of(text);
   if (!formula) return "is not a formula: " + formula.error().message;
   options.thickness = std::move(*formula);
   return "";
@@ -78,7 +98,8 @@ class MicroRun {
     if (const Status status = check_outputs(); !status) return fail(status.error());
     for (const auto step :
          {&MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill, &MicroRun::analyse,
-          &MicroRun::filter, &MicroRun::connect, &MicroRun::find_topology, &MicroRun::make_mesh})
+          &MicroRun::filter, &MicroRun::connect, &MicroRun::find_topology, &MicroRun::add_materials,
+          &MicroRun::make_mesh})
       if (const ExitCode exit = (this->*step)(); exit != kExitValid) return conclude(exit);
     return conclude(write());
   }
@@ -305,6 +326,16 @@ class MicroRun {
     return refute(std::move(defect));
   }
 
+  ExitCode add_materials() {
+    for (const auto& [name, formula] : options_.materials) {
+      Result<MicroMaterial> material = material_by(formula, name, micro_);
+      if (!material)
+        return refute({"material", {}, {}, {}, name + ": " + material.error().message});
+      micro_.materials.push_back(std::move(*material));
+    }
+    return kExitValid;
+  }
+
   // The mesh as its file will be read, if that bounds a solid with the numbers of the microstructure.
   ExitCode make_mesh() {
     if (!options_.mesh || report_.kept == 0) return kExitValid;
@@ -439,6 +470,10 @@ RunCommand declare_micro(OptionSet& set) {
       "--thickness", "EXPR",
       [o = o.get()](const std::string& text) { return take_thickness(text, *o); },
       "half the width of arms at each wall, from x y z u v w");
+  set.repeated_option(
+      "--material", "NAME=EXPR",
+      [o = o.get()](const std::string& text) { return take_material(text, *o); },
+      "a property of the points, from x y z u v w; any number of them");
   set.output("-o,--output", o->output, "write the microstructure, .vmicro");
   set.output("--mesh", o->mesh, "write its surface as a mesh, within --chord H of it");
   set.length("--chord", "H", o->chord, "how far the mesh may be from the surface");

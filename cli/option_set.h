@@ -70,6 +70,10 @@ class OptionSet {
   void option(const std::string& name, const std::string& type, TakeText take,
               const std::string& help);
 
+  /// Such an option that may be given several times; `take` is called for each, in order.
+  void repeated_option(const std::string& name, const std::string& type, TakeText take,
+                       const std::string& help);
+
   /// One argument without a name; the name is for the help.
   void operand(const std::string& name, TakeText take, const std::string& help);
   void optional_operand(const std::string& name, TakeText take, const std::string& help);

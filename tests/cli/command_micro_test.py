@@ -80,6 +80,16 @@ class MicroCommand(support.Folder):
         self.assertEqual((one["tiles"]["kept"], one["tiles"]["floating"], one["components"]), (64, 1, 1))
         self.assertIn("0,6,6,6,floating", listed.read_text().splitlines())
 
+    def test_materials_are_kept_in_the_file(self):
+        self.micro("--material", "glass=x/8", "--material", "heat=exp(-u)", counts="2,1,1")
+        materials = json.loads(self.out.read_text())["materials"]
+        self.assertEqual([m["name"] for m in materials], ["glass", "heat"])
+        self.assertEqual(materials[0]["values"], [[0] * 4 + [2**19] * 4 + [2**20] * 4])
+        self.assertEqual(materials[1]["values"][0][4], round(2**20 * 2.718281828459045 ** -0.5))
+        report = self.micro("--material", "glass=1/(x-4)", counts="2,1,1", expect=1)
+        self.assertEqual(report["defects"][0]["code"], "material")
+        self.assertIn("glass: corner (1, 0, 0) of grid 0", report["defects"][0]["message"])
+
     def test_thickness_is_a_number_of_each_wall(self):
         report = self.micro("--thickness", "1/8+1/20*sin(x)*cos(3*v)")
         self.assertEqual(report["genus"], 2 * 64 - 3 * 16 + 1)

@@ -97,6 +97,8 @@ VALUES = [
     ("micro --cage c.vjson --tile jack,cap=1/2 --counts 1,1,1 -o c.vmicro", 2, "--tile: is not a tile: cap = 1/2 of a jack is not between 0 and 1/2"),
     ("micro --cage c.vjson --tile jack --counts 1,0,1 -o c.vmicro", 2, "--counts: needs three numbers K,M,N from 1, not 1,0,1"),
     ("micro --cage c.vjson --tile jack --counts 1,1,1 --thickness q -o c.vmicro", 2, "--thickness: is not a formula: column 1:"),
+    ("micro --cage c.vjson --tile jack --counts 1,1,1 --material a -o c.vmicro", 2, "--material: needs NAME=EXPR, not a"),
+    ("micro --cage c.vjson --tile jack --counts 1,1,1 --material a=1 --material a=2 -o c.vmicro", 2, "--material: names a twice"),
     ("cage split --of c.vjson --at u=1 --open w2 -o d.vjson", 2, "--open: needs a face, u0, u1, v0, v1, w0 or w1, not w2"),
     ("inspect --pair 0 cube.itd", 2, "--pair: needs the numbers of two cells A,B, not 0"),
     ("inspect --pair 0,-1 cube.itd", 2, "not 0,-1"),

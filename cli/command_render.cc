@@ -12,6 +12,7 @@
 #include "cli/output_plan.h"
 #include "io/base/exact_number.h"
 #include "io/base/scan.h"
+#include "io/read_model.h"
 #include "render/cast_solid.h"
 #include "render/png.h"
 #include "report/render_report.h"
@@ -34,6 +35,7 @@ struct RenderOptions {
   std::optional<double> chord;
   std::uint32_t grid = 0;  // points along each axis; 0: a shaded picture
   std::optional<ExactBox<3>> bounds;
+  std::optional<std::string> around;
   bool no_check = false;
   int jobs = default_jobs();
 };
@@ -89,12 +91,13 @@ std::string take_factor(const std::string& text, std::optional<Rational>& factor
 }
 
 void declare(OptionSet& set, RenderOptions& o) {
-  declare_file(set, "MODEL", o.input, "a mesh, surfaces, volumes or an expression");
+  declare_file(set, "MODEL", o.input,
+               "a mesh, surfaces, volumes, an expression or a microstructure");
   set.output("-o,--output", o.output, "write the picture: .png; for viewers .vtu, .gltf, .obj");
   set.option(
       "--explode", "K", [&o](const std::string& t) { return take_factor(t, o.explode); },
       "volumes: move cells apart, by K times their offset (0)");
-  set.flag("--nets", o.nets, "volumes: draw control nets");
+  set.flag("--nets", o.nets, "volumes: draw control nets; microstructures: the cage");
   set.length("--chord", "H", o.chord, "volumes: the distance of chords to aim at");
   set.option(
       "--size", "W,H", [&o](const std::string& t) { return take_size(t, o.size); },
@@ -107,6 +110,7 @@ void declare(OptionSet& set, RenderOptions& o) {
   set.option(
       "--bounds", "BOX", [&o](const std::string& t) { return take_box(t, o.bounds); },
       "X0,Y0,Z0,X1,Y1,Z1: this box only (MODEL's box)");
+  set.text("--around", o.around, "microstructures: draw this mesh around it");
   declare_json(set, o.json, "write the counts");
   declare_jobs(set, o.jobs);
   set.flag("--no-check", o.no_check, "do not run veritope-check");
@@ -155,6 +159,11 @@ class RenderRun {
 
   ExitCode run() {
     if (const Status status = check_outputs(); !status) return fail(status.error());
+    const ModelReadOptions how = reading();
+    if (ModelInput input(path(), how); input.kind() == ModelKind::kMicro) return draw_micro(input);
+    if (options_.around)
+      return fail(
+          bad_argument("--around is for microstructures; " + harmless(path()) + " is none"));
     const bool is_chain = is_chain_file(path());
     if (is_chain && (kind_ != ViewKind::kPng || !cell_option(options_).empty()))
       return fail(
@@ -200,12 +209,20 @@ class RenderRun {
  private:
   const std::string& path() const { return options_.input.files[0]; }
 
+  ModelReadOptions reading() const {
+    ModelReadOptions out = options_.input.reading;
+    out.jobs = options_.jobs;
+    return out;
+  }
+
   Status check_outputs() const {
-    const Result<OutputPlan> plan = plan_outputs({path()}, std::nullopt, options_.json);
+    std::vector<std::string> inputs = {path()};
+    if (options_.around) inputs.push_back(*options_.around);
+    const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, options_.json);
     if (!plan) return plan.error();
     if (*options_.output != "-")
       if (const Status status =
-              check_output("--output", *options_.output, {path()}, *plan, options_.json);
+              check_output("--output", *options_.output, inputs, *plan, options_.json);
           !status)
         return status;
     return try_outputs(*plan, {options_.json, options_.output});
@@ -223,9 +240,8 @@ class RenderRun {
   // Nothing: MODEL is no file of volumes in space, or it cannot be read, and no option is for such files only.
   std::optional<ExitCode> draw_if_cells() {
     progress_.phase(shown_path(path()), "reading");
-    ModelReadOptions reading = options_.input.reading;
-    reading.jobs = options_.jobs;
-    ModelInput input(path(), reading);
+    const ModelReadOptions how = reading();
+    ModelInput input(path(), how);
     const bool is_splines = input.kind() == ModelKind::kSplines;
     const std::string option = cell_option(options_);
     if (!is_splines && option.empty()) return std::nullopt;
@@ -242,6 +258,50 @@ class RenderRun {
     complain(harmless(option + " is for files of volumes in space; " + shown_path(path()) + ": " +
                       text_of(finding_of(is_cells.error()))));
     return kExitUsage;
+  }
+
+  // Microstructures are drawn as they are in the file, without a verdict, like cells.
+  ExitCode draw_micro(ModelInput& input) {
+    if (options_.explode || options_.chord || options_.grid != 0 || options_.bounds) {
+      const std::string option = options_.explode     ? "--explode"
+                                 : options_.chord     ? "--chord"
+                                 : options_.grid != 0 ? "--grid"
+                                                      : "--bounds";
+      return fail(bad_argument(option + " is not for microstructures"));
+    }
+    progress_.phase(shown_path(path()), "reading");
+    const Result<ModelFile> model = input.take();
+    if (!model) return refuse_as_unreadable(model.error());
+    const MicroFile& file = std::get<MicroFile>(*model);
+    MicroViewOptions how;
+    how.has_cage = options_.nets;
+    std::optional<MeshFile> around;
+    if (options_.around) {
+      Result<MeshFile> read = read_mesh_file(*options_.around, reading());
+      if (!read) return refuse_as_unreadable(read.error());
+      around = std::move(*read);
+      how.model = &around->mesh;
+    }
+    report_.path = path();
+    report_.sha256 = file.sha256;
+    report_.seconds_read = watch_.lap();
+    progress_.phase(shown_path(path()), "drawing");
+    const Result<ModelView> view = view_of_micro(file.micro, how, kind_, picture_options());
+    progress_.clear();
+    if (!view) return refuse(view.error());
+    MicroPicture& picture = report_.micro.emplace();
+    picture.has_cage = options_.nets;
+    picture.around = options_.around;
+    picture.bridges = file.micro.bridges.size();
+    for (const MicroGrid& grid : file.micro.grids)
+      for (const std::uint8_t t : grid.tiles) picture.tiles += t != 0;
+    set_bounds(*view);
+    return write(*view);
+  }
+  void set_bounds(const ModelView& view) {
+    for (std::size_t k = 0; k < 3; ++k)
+      report_.bounds[k] = {Rational::from_double(view.box.lo[k]),
+                           Rational::from_double(view.box.hi[k])};
   }
 
   static Status check_is_cells(const SplineFile& file) {
@@ -272,9 +332,7 @@ class RenderRun {
     progress_.clear();
     if (!view) return refuse(view.error());
     report_.cells = CellPicture{file.model.entities.size(), factor.to_string(), options_.nets};
-    for (std::size_t k = 0; k < 3; ++k)
-      report_.bounds[k] = {Rational::from_double(view->box.lo[k]),
-                           Rational::from_double(view->box.hi[k])};
+    set_bounds(*view);
     return write(*view);
   }
 

@@ -10,8 +10,10 @@ namespace veritope::cli {
 
 class ModelInput {
  public:
+  /// REQUIRES that the options outlive it.
   ModelInput(std::string path, const ModelReadOptions& options)
       : path_(std::move(path)), options_(options) {}
+  ModelInput(std::string, ModelReadOptions&&) = delete;
 
   /// Decided by --format or the ending of the name, else by the content; .itd files are read, since those with polygons
   /// only are meshes. An input that cannot be read or recognised

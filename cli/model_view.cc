@@ -7,6 +7,7 @@
 #include "io/base/scan.h"
 #include "render/cell_grid.h"
 #include "render/png.h"
+#include "render/scene_files.h"
 #include "render/view_parts.h"
 #include "report/text_style.h"
 
@@ -104,6 +105,40 @@ Result<ModelView> view_of_cells(const SplineModel& model, const VolumeViewOption
                               : kind == ViewKind::kObj ? Result<std::string>(parts_obj(*parts))
                                                        : parts_gltf(*parts);
   if (!bytes) return bytes.error();
+  out.bytes = std::move(*bytes);
+  return out;
+}
+
+Result<ModelView> view_of_micro(const Microstructure& micro, const MicroViewOptions& options,
+                                ViewKind kind, const PictureOptions& look) {
+  Result<std::vector<ViewPart>> parts = micro_parts(micro, options);
+  if (!parts) return parts.error();
+  std::uint64_t tiles = 0;
+  for (const MicroGrid& grid : micro.grids)
+    for (const std::uint8_t t : grid.tiles) tiles += t != 0;
+  ModelView out;
+  out.content = counted(tiles, "tile", "tiles");
+  if (!micro.bridges.empty())
+    out.content += ", " + counted(micro.bridges.size(), "bridge", "bridges");
+  if (kind != ViewKind::kPng) out.content += ", " + content_of(*parts);
+  if (kind == ViewKind::kObj) {
+    out.bytes = parts_obj(*parts);
+    return out;
+  }
+  const Scene scene = micro_scene(std::move(*parts));
+  Result<std::string> bytes = bad_argument("");
+  if (kind == ViewKind::kVtu) {
+    bytes = scene_vtu(scene);
+  } else if (kind == ViewKind::kGltf) {
+    bytes = scene_gltf(scene);
+  } else if (Result<Image> image = draw_scene(scene, look); image) {
+    bytes = png_bytes(*image);
+  } else {
+    return image.error();
+  }
+  if (!bytes) return bytes.error();
+  const bool is_empty = scene.surfaces.empty() && scene.lines.empty();
+  if (!is_empty) out.box = box_of(scene);
   out.bytes = std::move(*bytes);
   return out;
 }

@@ -6,6 +6,7 @@
 
 #include "io/model_file.h"
 #include "render/draw_scene.h"
+#include "render/micro_view.h"
 #include "render/spline_view.h"
 #include "render/volume_view.h"
 
@@ -24,6 +25,10 @@ struct ModelView {
 
 /// @error as check_is_volumes, volume_layout, volume_parts, volume_vtu and draw_scene
 Result<ModelView> view_of_cells(const SplineModel& model, const VolumeViewOptions& options,
+                                ViewKind kind, const PictureOptions& look);
+
+/// @error as micro_parts, draw_scene and the files for viewers
+Result<ModelView> view_of_micro(const Microstructure& micro, const MicroViewOptions& options,
                                 ViewKind kind, const PictureOptions& look);
 
 /// A solid in one colour: a mesh as it is, splines as convert shows them. REQUIRES a kind other than kPng.

@@ -67,8 +67,8 @@ struct FileReport {
   /// What stands in the way of a verdict, for an UNDECIDED model of patches; the first is `fault`.
   std::vector<Finding> reasons;
   std::optional<CertificateReport> certificate;
-  std::optional<std::string> picture;  ///< the file with it, if one was written
-  std::optional<CopyReport> copy;      ///< the model of which the certificate speaks
+  std::optional<std::string> picture;         ///< the file with it, if one was written
+  std::optional<CopyReport> copy;             ///< the model of which the certificate speaks
   std::optional<std::string> boundary_faces;  ///< as Certified::boundary_faces
   PhaseSeconds seconds;
   /// Why it is undecided or unreadable, or why the exit is not the verdict's. Codes: those of code_name and of certify,

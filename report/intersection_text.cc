@@ -40,9 +40,10 @@ std::string intersection_text(const IntersectionReport& report) {
     others += p.found.overlaps.size() + p.found.tangencies.size();
   }
   std::string out = std::string(report.is_complete() ? "COMPLETE" : "UNDECIDED") + "  " +
-                    unbroken(harmless(report.paths[0])) + " and " + unbroken(harmless(report.paths[1])) + "  " +
-                    std::to_string(loops) + " loops, " + std::to_string(arcs) + " arcs, " +
-                    std::to_string(others) + " tangencies and overlaps\n";
+                    unbroken(harmless(report.paths[0])) + " and " +
+                    unbroken(harmless(report.paths[1])) + "  " + std::to_string(loops) +
+                    " loops, " + std::to_string(arcs) + " arcs, " + std::to_string(others) +
+                    " tangencies and overlaps\n";
   if (report.ignores_trimming)
     out += "  Trimming curves were not looked at: these are the whole surfaces.\n";
   if (report.ignored_triangles != 0)

@@ -34,8 +34,9 @@ std::string text_of(const Projection<N>& p) {
 std::string projection_text(const ProjectionReport& report) {
   const auto nearest = report.nearest();
   std::string out = std::string(report.is_complete() ? "COMPLETE" : "UNDECIDED") + "  " +
-                    unbroken(harmless(report.path)) + "  distance " + range_text(report.distance()) +
-                    (nearest ? "" : "  nearest point not decided") + "\n";
+                    unbroken(harmless(report.path)) + "  distance " +
+                    range_text(report.distance()) + (nearest ? "" : "  nearest point not decided") +
+                    "\n";
   if (report.skipped_triangles != 0)
     out += "  Not looked at: " +
            counted(report.skipped_triangles, "Bezier triangle", "Bezier triangles") + ".\n";

@@ -24,13 +24,22 @@ struct CellPicture {
   bool has_nets = false;
 };
 
+/// A microstructure in a picture.
+struct MicroPicture {
+  std::uint64_t tiles = 0, bridges = 0;
+  bool has_cage = false;
+  std::optional<std::string> around;  ///< the path of the solid around it
+};
+
 struct RenderReport {
   std::string path, sha256;  ///< of the model
   std::string picture;       ///< the path of the file
-  std::optional<std::array<std::size_t, 2>> size;  ///< width and height in pixels; none: a file for viewers
+  std::optional<std::array<std::size_t, 2>>
+      size;  ///< width and height in pixels; none: a file for viewers
   ExactBox<3> bounds;
   std::optional<GridCounts> grid;
   std::optional<CellPicture> cells;
+  std::optional<MicroPicture> micro;
   double seconds_read = 0, seconds_build = 0, seconds_draw = 0;
 };
 

@@ -80,6 +80,24 @@ class MicroCommand(support.Folder):
         self.assertEqual((one["tiles"]["kept"], one["tiles"]["floating"], one["components"]), (64, 1, 1))
         self.assertIn("0,6,6,6,floating", listed.read_text().splitlines())
 
+    def test_pictures_have_tiles_cage_and_solid(self):
+        solid = self.folder / "cube.off"
+        solid.write_text(cube(1, 7))
+        self.micro("--model", solid, counts="8,8,8")
+        for name in ("a.png", "a.gltf", "a.vtu", "a.obj"):
+            picture = self.folder / name
+            done = run("render", self.out, "-o", picture, "--nets", "--around", solid, "--json", "-", *(["--size", "200,150"] if name == "a.png" else []))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            report = json.loads(done.stdout)
+            self.assertEqual(schema.faults(report), [])
+            self.assertEqual((report["micro"]["tiles"], report["micro"]["cage"], report["micro"]["around"]), (64, True, str(solid)))
+            self.assertGreater(picture.stat().st_size, 1000)
+        for option in (["--explode", "1"], ["--grid", "3"], ["--bounds", "0,0,0,1,1,1"], ["--chord", "1"]):
+            done = run("render", self.out, "-o", self.folder / "b.png", *option)
+            self.assertEqual((done.returncode, (self.folder / "b.png").exists()), (2, False))
+            self.assertIn(f"{option[0]} is not for microstructures", done.stderr)
+        self.assertIn("--around is for microstructures", run("render", solid, "-o", self.folder / "b.png", "--around", solid).stderr)
+
     def test_materials_are_kept_in_the_file(self):
         self.micro("--material", "glass=x/8", "--material", "heat=exp(-u)", counts="2,1,1")
         materials = json.loads(self.out.read_text())["materials"]

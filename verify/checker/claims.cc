@@ -83,7 +83,8 @@ const std::vector<Claim>& all_claims() {
        " body_sha256 certificate claim finding subject_format subject_sha256 tool",
        " cells subject_bytes", "", check_vmodel_finding, check_vmodel_invalid},
       {"microstructure-1", "VTMS", "vmicro", kStarText,
-       " cells components genus glued_caps shells subject_bytes tiles", "", nullptr, check_micro},
+       " bridges cells components genus glued_caps shells subject_bytes tiles", "", nullptr,
+       check_micro},
   };
   return claims;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// micro_cells.cc: which walls of cells meet, T4 for all of them, and the numbers of section 7 of
+// micro_cells.cc: which walls of cells meet, T4 for all of them, and the numbers of section 8 of
 // docs/certificates/microstructure.md.
 #include <array>
 
@@ -82,6 +82,7 @@ class Meetings {
               nodes_->unite(node_of_cap(cell, tile, c), first_node_[cell] + piece);
       });
     for (uint32_t i = 0; i < nodes_->parent.size(); ++i) out_.shells += nodes_->parent[i] == i;
+    for (const MicroBridge& b : file_.bridges) out_.is_meeting.push_back(is_meeting(b));
     return out_;
   }
 
@@ -90,6 +91,14 @@ class Meetings {
     return first_node_[cell] + tile.pieces + cap;
   }
   bool is_taken(uint64_t node) const { return nodes_->parent[node] == kTaken; }
+  bool is_meeting(const MicroBridge& b) const {
+    const MicroGrid& g = file_.grids[b.grid];
+    const MicroTile& tile = file_.tiles[g.tile[b.cell] - size_t(1)];
+    for (size_t c = 0; c < tile.caps.size(); ++c)
+      if (tile.caps[c].wall == b.wall && is_taken(node_of_cap(g.first_cell + b.cell, tile, c)))
+        return true;
+    return false;
+  }
 
   // Walls of cells i of grid a and j of grid b.
   void meet(const MicroGrid& a, const size_t* i, size_t wall_a, const MicroGrid& b, const size_t* j,

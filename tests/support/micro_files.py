@@ -499,3 +499,63 @@ def certified(micro, numbers, veritope, *options, members=None):
     text = micro.text(**(members or {}))
     body = hints(micro.tiles, micro.bridges) + cage_body(micro.cage_text(), veritope, *options)
     return text, certificate(text, body, {**dict(zip(NUMBERS, numbers, strict=True)), "bridges": len(micro.bridges)})
+
+
+# ---------------------------------------------------------------- inside of a mesh
+
+READING_RULE = (
+    "Reading rule v1: vertices with equal coordinates are one vertex, -0 equals +0, unless as_indexed is true (STL: always one); vertex ids count "
+    "first occurrences in file order; polygons are fans from their first vertex; decimals round to the nearest binary64, ties to even; binary "
+    "floats are widened exactly; normals, colours, texture, lines, groups and attribute bytes are ignored; unreferenced vertices are ignored; all "
+    "solid blocks of an ASCII STL are one model; the file is refused unless it yields at least one triangle, finite coordinates and indices in "
+    "range.")
+
+
+class Mesh:
+    """Triangles in an OFF file. corners: binary64 numbers."""
+
+    def __init__(self):
+        self.corners, self.triangles = [], []
+
+    def box(self, lo, hi, inward=False):
+        """Adds the surface of a box."""
+        first = len(self.corners)
+        self.corners += [tuple(float((lo, hi)[e][k]) for k, e in enumerate(ends)) for ends in itertools.product((0, 1), repeat=3)]
+        for a, b, c, d in ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)):
+            for t in ((a, b, c), (a, c, d)):
+                self.triangles.append(tuple(first + i for i in (t[::-1] if inward else t)))
+        return self
+
+    def text(self):
+        lines = ["OFF", f"{len(self.corners)} {len(self.triangles)} 0"]
+        lines += [" ".join(map(repr, p)) for p in self.corners] + ["3 %d %d %d" % t for t in self.triangles]
+        return "\n".join(lines) + "\n"
+
+
+class Void:
+    def __init__(self, x, corner=8, volume=0):
+        self.x, self.corner, self.volume = tuple(map(Q, x)), corner, volume
+
+    def bytes(self):
+        return self.volume.to_bytes(4, "little") + b"".join(map(rational, self.x)) + bytes([self.corner])
+
+
+def inside_body(structure, solid, voids=(), count=None):
+    return b"".join([b"VTIM", len(structure).to_bytes(4, "little"), len(solid).to_bytes(4, "little"), structure, solid,
+                     (len(voids) if count is None else count).to_bytes(4, "little"), *[v.bytes() for v in voids]])
+
+
+def inside_certificate(text, solid, body, numbers, **changes):
+    """solid: the model's bytes, an OFF file."""
+    return certificate(text, body, numbers, **{
+        "claim": "micro-inside-1", "model_sha256": hashlib.sha256(solid).hexdigest(), "model_bytes": len(solid), "model_format": "off",
+        "reading_rule": READING_RULE, "as_indexed": False, "skin": "-", **changes})
+
+
+def certified_inside(micro, solid, numbers, veritope, *options, voids=(), **changes):
+    """(the file, its certificate, the model)."""
+    text, model = micro.text(), solid.text()
+    structure = hints(micro.tiles, micro.bridges) + cage_body(micro.cage_text(), veritope, *options)
+    body = inside_body(structure, certified_body(model, veritope, b"VTMV", suffix=".off"), voids)
+    every = {**dict(zip(NUMBERS, numbers, strict=True)), "bridges": len(micro.bridges)}
+    return text, inside_certificate(text, model.encode(), body, every, **changes), model.encode()

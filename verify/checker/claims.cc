@@ -85,6 +85,11 @@ const std::vector<Claim>& all_claims() {
       {"microstructure-1", "VTMS", "vmicro", kStarText,
        " bridges cells components genus glued_caps shells subject_bytes tiles", "", nullptr,
        check_micro},
+      {"micro-inside-1", "VTIM", "vmicro",
+       " body_sha256 certificate claim model_format model_sha256 reading_rule skin subject_format "
+       "subject_sha256 tool",
+       " bridges cells components genus glued_caps model_bytes shells subject_bytes tiles",
+       " as_indexed", check_inside_values, check_micro_inside},
   };
   return claims;
 }

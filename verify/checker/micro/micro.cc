@@ -118,7 +118,8 @@ bool reaches(const std::vector<Entity>& cage, const MicroGrid& g, size_t face) {
   return compare(face % 2 == 0 ? b[0] : b.back(), face % 2 == 0 ? t[0] : t.back()) == 0;
 }
 
-CheckedMicro check_micro_body(MicroFile* file, uint64_t file_bytes, const Body& body) {
+CheckedMicro check_micro_body(MicroFile* file, uint64_t file_bytes, const Body& body,
+                              bool with_shells) {
   Bytes bytes(body);
   read_hints(file, &bytes);
   check_limits(file);
@@ -132,7 +133,8 @@ CheckedMicro check_micro_body(MicroFile* file, uint64_t file_bytes, const Body& 
     check_caps(&tile);
   }
   for (const MicroGrid& g : file->grids) check_cells_of(*file, g, r.faces);
-  const MicroNumbers n = check_meetings(*file, r.faces);
+  MicroNumbers n = check_meetings(*file, r.faces, with_shells);
+  r.shells = std::move(n.first);
   check_bridges(*file, r.faces, n.is_meeting);
   r.numbers = {{"cells", file->cells},
                {"tiles", file->kept},
@@ -147,5 +149,5 @@ CheckedMicro check_micro_body(MicroFile* file, uint64_t file_bytes, const Body& 
 std::string check_micro(const Statement& s, std::string model, const Body& body) {
   MicroFile file = read_micro(model);
   model = std::string();
-  return compared(s, check_micro_body(&file, s.number.at("subject_bytes"), body).numbers);
+  return compared(s, check_micro_body(&file, s.number.at("subject_bytes"), body, false).numbers);
 }

@@ -146,14 +146,24 @@ void check_family(const MicroTile& tile);                      // F1, F2
 void check_boxes(const MicroTile& tile, uint64_t file_bytes);  // F3
 void check_caps(MicroTile* tile);  // T2, T3; then the caps and pieces are known
 
+// The descents of F2 for a patch of one list: nodes are dropped whose boxes miss the closed box from lo to hi. The
+// condition `id` fails if a limit is exceeded; *visited: the nodes so far, of all patches; number: of this one.
+void check_missed(const MicroPatch& still, const Ratio* lo, const Ratio* hi, const char* id,
+                  uint64_t number, int* visited);
+
+struct PatchOfCell {
+  uint32_t grid, patch;
+  uint64_t cell;  // its number in the grid
+};
 // T4 and what section 8 counts.
 struct MicroNumbers {
   uint64_t glued_caps = 0, components = 0, shells = 0;
-  int64_t chi = 0;  // of N
-  std::vector<bool>
-      is_meeting;  // of each bridge: whether a cap in its wall is equal to another one
+  int64_t chi = 0;                 // of N
+  std::vector<bool> is_meeting;    // of each bridge: whether a cap in its wall is equal to another
+  std::vector<PatchOfCell> first;  // of each shell, if that was asked for: its first patch
 };
-MicroNumbers check_meetings(const MicroFile& file, const std::vector<FaceCode>& faces);
+MicroNumbers check_meetings(const MicroFile& file, const std::vector<FaceCode>& faces,
+                            bool with_shells);
 // R1 to R4.
 void check_bridges(const MicroFile& file, const std::vector<FaceCode>& faces,
                    const std::vector<bool>& is_meeting);
@@ -162,5 +172,7 @@ void check_bridges(const MicroFile& file, const std::vector<FaceCode>& faces,
 struct CheckedMicro {
   std::vector<FaceCode> faces;
   std::map<std::string, uint64_t> numbers;
+  std::vector<PatchOfCell> shells;  // if that was asked for: their first patches
 };
-CheckedMicro check_micro_body(MicroFile* file, uint64_t file_bytes, const Body& body);
+CheckedMicro check_micro_body(MicroFile* file, uint64_t file_bytes, const Body& body,
+                              bool with_shells);

@@ -85,6 +85,26 @@ class Meetings {
     for (const MicroBridge& b : file_.bridges) out_.is_meeting.push_back(is_meeting(b));
     return out_;
   }
+  // A class's least node belongs to its first cell.
+  std::vector<PatchOfCell> first_patches() {
+    std::vector<PatchOfCell> r;
+    std::vector<bool> is_found(nodes_->parent.size());
+    for (const MicroGrid& g : file_.grids)
+      each_tile(g, [&](const size_t*, uint64_t number, size_t t) {
+        const uint64_t cell = g.first_cell + number;
+        const MicroTile& tile = file_.tiles[t];
+        for (uint32_t s = 0; s < tile.patches.size(); ++s) {
+          const uint64_t node = tile.cap[s] == kNoCap ? first_node_[cell] + tile.piece[s]
+                                                      : node_of_cap(cell, tile, tile.cap[s]);
+          if (is_taken(node)) continue;
+          const uint32_t root = nodes_->find(uint32_t(node));
+          if (!is_found[root])
+            r.push_back(PatchOfCell{uint32_t(&g - file_.grids.data()), s, number});
+          is_found[root] = true;
+        }
+      });
+    return r;
+  }
 
  private:
   uint64_t node_of_cap(uint64_t cell, const MicroTile& tile, size_t cap) const {
@@ -236,8 +256,11 @@ class Meetings {
 
 }  // namespace
 
-MicroNumbers check_meetings(const MicroFile& file, const std::vector<FaceCode>& faces) {
+MicroNumbers check_meetings(const MicroFile& file, const std::vector<FaceCode>& faces,
+                            bool with_shells) {
   Meetings meetings(file, faces);
   meetings.meet_all();
-  return meetings.numbers();
+  MicroNumbers r = meetings.numbers();
+  if (with_shells) r.first = meetings.first_patches();
+  return r;
 }

@@ -5,7 +5,7 @@
 
 namespace {
 
-// abs(a) is m 2^*exponent but for a relative error of less than 2^-50; 2^63 <= m <= 2^64. REQUIRES a != 0.
+// abs(a) is m 2^*exponent but for a relative error of less than 2^-51; 2^63 <= m <= 2^64. REQUIRES a != 0.
 double leading(const Big& a, int64_t* exponent) {
   const size_t n = a.m.size();
   const int up = 64 - bit_length(a.m.back());
@@ -27,7 +27,7 @@ Span span_of(const Big& n, const Big& d) {
   int64_t of_n, of_d;
   const double m = leading(n, &of_n), q = m / leading(d, &of_d);
   const int64_t e = of_n - of_d;
-  const double relative = std::ldexp(1.0, -44);
+  const double relative = std::ldexp(1.0, -49);
   Span r = {std::ldexp(1.0, 900), std::numeric_limits<double>::infinity()};  // if e > 1000
   if (e < -1000) r = Span{0, std::ldexp(1.0, -900)};
   if (e >= -1000 && e <= 1000)

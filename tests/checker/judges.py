@@ -21,22 +21,25 @@ def condition(line):
     return line.split(":")[0].split(" ")[0 if line.startswith("ACCEPT") else -1].strip()
 
 
-def in_cpp(*given, beside=None):
+def in_cpp(*given, beside=None, solid=None):
     """(exit code, condition or ACCEPT, all that was printed) for a model, a certificate and, if its claim is about one, an answers file.
-    beside: the files that the model names, by their paths."""
+    beside: the files that the model names, by their paths. solid: the file of --model."""
     with tempfile.TemporaryDirectory() if beside else contextlib.nullcontext(FOLDER.name) as folder:
         for name, data in (beside or {}).items():
             path = pathlib.Path(folder, name)
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(data)
-        return run_in(folder, given)
+        return run_in(folder, given, solid)
 
 
-def run_in(folder, given):
+def run_in(folder, given, solid=None):
     paths = [os.path.join(folder, name) for name in ("model", "certificate", "answers")][:len(given)]
     for path, data in zip(paths, given):
         with open(path, "wb") as file:
             file.write(data)
+    if solid is not None:
+        pathlib.Path(folder, "solid").write_bytes(solid)
+        paths += ["--model", os.path.join(folder, "solid")]
     r = subprocess.run([CHECK, *paths], capture_output=True, text=True, timeout=300, check=False)
     return r.returncode, condition(r.stdout), r.stdout + r.stderr
 

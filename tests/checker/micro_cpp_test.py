@@ -4,6 +4,7 @@
 by it alone. VERITOPE_CHECK names the checker, VERITOPE the program that certifies cages."""
 import itertools
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -300,7 +301,7 @@ class Cages(Judged):
         cage = [mf.volume(), mf.volume(lambda x, y, z: (x + 1, y, z))]
         micro = Micro([Grid.block((1, 1, 1))], [mf.jack()], cage)
         text, body = micro.text(), mf.cage_body(micro.cage_text(), VERITOPE)
-        numbers = dict(zip(mf.NUMBERS, (1, 1, 0, 1, 1, 0)))
+        numbers = {**dict(zip(mf.NUMBERS, (1, 1, 0, 1, 1, 0))), "bridges": 0}
         first = mf.hints(micro.tiles)
         self.judge(text, mf.certificate(text, first + body, numbers), 0, "ACCEPT")
         at = 4 + 4 + 2 + 6                                 # after magic, count, flags and six counts of breaks: the codes
@@ -320,9 +321,10 @@ class Lies(Judged):
         micro = one(mf.jack())
         text, cage = micro.text(), mf.cage_body(micro.cage_text(), VERITOPE)
         honest = mf.hints(micro.tiles)
-        for body in (b"VTMT" + honest[4:], mf.hints(micro.tiles, 0), mf.hints(micro.tiles, 2), mf.hints(micro.tiles, 1 << 31), honest[:-1],
-                     mf.hints([micro.tiles[0].copy(exit=30)]), honest[:8] + b"\4\4" + honest[10:]):
-            self.judge(text, mf.certificate(text, body + cage, dict.fromkeys(mf.NUMBERS, 0)), 1, "B1")
+        for body in (b"VTMT" + honest[4:], mf.hints(micro.tiles, (), 0), mf.hints(micro.tiles, (), 2),
+                     mf.hints(micro.tiles, (), 1 << 31), honest[:-1], mf.hints([micro.tiles[0].copy(exit=30)]), honest[:13] + b"\4\4" + honest[15:],
+                     honest[:8] + b"\1" + honest[9:], honest[:12] + b"\2" + honest[13:], honest[:12] + b"\1\377\0\0\0" + honest[13:]):
+            self.judge(text, mf.certificate(text, body + cage, dict.fromkeys((*mf.NUMBERS, "bridges"), 0)), 1, "B1")
 
     def test_b2(self):
         for centre in ((HALF, HALF, 0), (1, HALF, HALF), (HALF, -HALF, HALF), (HALF, Q(3, 2), HALF), (HALF, HALF, Q(1, 1 << 64))):
@@ -514,6 +516,323 @@ class Lies(Judged):
         self.reject(Micro([Grid.block((1, 1, 1))], [mf.jack(), unused]), "T3")  # tiles that no cell holds, too
 
 
+def straight(tile, cell, wall, length, *, grid=None, cuts=(), turn=False, left=False, **others):
+    """A bridge that goes straight from a cap of one patch to `length` beyond its wall, in one volume. grid: where the cell is. turn: its first two
+    parameters are turned by a right angle. left: they change places, so that it is left-handed."""
+    place, axis, end = grid or Grid.block((1, 1, 1)), wall // 2, wall % 2
+    n = place.size()
+    index = cell // (n[1] * n[2]), cell // n[2] % n[1], cell % n[2]
+    cap = next(s for s in tile.patches if all(p[axis] == end for p in s.points[0]))
+    lo, hi = ([place.breaks[a][index[a] + e] for a in range(3)] for e in (0, 1))
+    points = [tuple(lo[a] + (hi[a] - lo[a]) * p[a] for a in range(3)) for p in cap.points[0]]
+    if turn:
+        points = [points[1], points[3], points[0], points[2]]
+    lists = [[(*p[:axis], p[axis] + (1 if end else -1) * length * Q(k, 2), *p[axis + 1:]) for p in points] for k in range(3)]
+    lists = righted(lists)
+    if left:
+        lists = [[p[0], p[2], p[1], p[3]] for p in lists]
+    return mf.Bridge.along(lists, cell, wall, cuts=cuts, **{"matrix": inverse_of(lists), **others})
+
+
+def righted(lists):
+    """The bridge with these lists, right-handed."""
+    a = lists[0]
+    if mf.determinant(*(mf.subtract(x, a[0]) for x in (a[2], a[1], lists[1][0]))) > 0:
+        return lists
+    return [[p[0], p[2], p[1], p[3]] for p in lists]
+
+
+def inverse_of(lists):
+    """K: the signs of the inverse of J at a corner, whose columns are parallel to axes."""
+    a = lists[0]
+    columns = [mf.subtract(x, a[0]) for x in (a[2], a[1], lists[1][0])]
+    return tuple((x > 0) - (x < 0) for column in columns for x in column)
+
+
+class Bridges(Judged):
+    COLUMN = Grid([[0, 1], [0, 1], [Q(i, 4) for i in range(5)]], {(0, 0, 0): 0})    # one cell with a tile below three empty ones
+
+    def column(self, *bridges, tile=None, cells=None, grid=None, cage=None):
+        place = grid or Grid(self.COLUMN.breaks, cells or self.COLUMN.cells)
+        return Micro([place], [tile or mf.rod()], cage, bridges=bridges)
+
+    def up(self, length=Q(1, 2), **others):
+        """From the first cell of the column upward, with the orientation of J that K can meet."""
+        return straight(mf.rod(), 0, 5, length, grid=self.COLUMN, **others)
+
+    def accept_column(self, *bridges, **others):
+        self.accept(self.column(*bridges, **others), 4, 1, 0, 1, 1, 0)
+
+    def test_straight_bridges(self):
+        for turn in (False, True):
+            for length in (Q(1, 8), Q(1, 2), Q(3, 4) - Q(1, 1 << 60)):
+                self.accept_column(self.up(length, turn=turn))
+                self.accept_column(self.up(length, turn=turn, cuts=(Q(1, 3), HALF)))
+        self.accept(one(mf.jack(), numbers=None), 1, 1, 0, 1, 1, 0)
+        five = Grid([[Q(i, 3) for i in range(4)]] * 3, {(1, 1, 1): 0})
+        jack = mf.jack()
+        every = [straight(jack, 13, wall, Q(1, 4), grid=five) for wall in range(6)]
+        self.accept(Micro([five], [jack], bridges=every), 27, 1, 0, 1, 1, 0)
+
+    def test_a_bridge_from_a_wall_with_a_number(self):
+        jack = mf.jack(slope=Q(1, 16))
+        for number, verdict in ((1 << 19, True), ((1 << 19) + 1, False)):
+            grid = Grid(self.COLUMN.breaks, self.COLUMN.cells, numbers=lambda *i, n=number: n)
+            bridge = straight(mf.jack(half=Q(5, 32)), 0, 5, Q(1, 4), grid=grid)
+            micro = self.column(bridge, tile=jack, grid=grid)
+            self.accept(micro, 4, 1, 0, 1, 1, 0) if verdict else self.reject(micro, "R2")
+
+    def test_b1(self):
+        self.reject(self.column(self.up(cuts=(HALF, HALF))), "B1")
+        self.reject(self.column(self.up(cuts=(HALF, Q(1, 3)))), "B1")
+        self.reject(self.column(self.up(cuts=(0,))), "B1")
+        self.reject(self.column(self.up(cuts=(1,))), "B1")
+        self.reject(self.column(self.up(cuts=(-HALF,))), "B1")
+        micro = self.column(self.up())
+        text, cage, numbers = micro.text(), mf.cage_body(micro.cage_text(), VERITOPE), {**dict(zip(mf.NUMBERS, (4, 1, 0, 1, 1, 0))), "bridges": 1}
+        honest = mf.hints(micro.tiles, micro.bridges)
+        self.judge(text, mf.certificate(text, honest + cage, numbers), 0, "ACCEPT")
+        self.judge(text, mf.certificate(text, honest + cage, {**numbers, "bridges": 0}), 1, "W3")
+        for body in (mf.hints(micro.tiles), mf.hints(micro.tiles, micro.bridges * 2), honest[:-1] + b"\0", honest[:-1], honest + b"\0"):
+            self.judge(text, mf.certificate(text, body + cage, numbers), 1, "B1")
+
+    def test_b2(self):
+        self.reject(self.column(self.up(matrix=[1 << 64, *[0] * 7, 1])), "B2")
+        self.reject(self.column(self.up(cuts=(Q(1, 1 << 64),))), "B2")
+        self.accept_column(self.up(matrix=[k * ((1 << 64) - 1) for k in self.up().matrix], cuts=(Q(1, (1 << 64) - 1),)))
+        long = self.up()
+        long.points[2] = (*long.points[2][:2], Q(1, 1 << 2303) + long.points[2][2])
+        self.accept_column(long)
+        for k, prime in enumerate((3, 5, 7, 11)):          # a common denominator of more than 8192 bits
+            x = long.points[3 * k + 2]
+            power = prime ** int(2290 / math.log2(prime))
+            long.points[3 * k + 2] = (*x[:2], HALF + Q(1, power))
+        self.reject(self.column(long), "B2")
+
+    def test_r1(self):
+        good = self.up()
+        k = good.matrix
+        self.accept_column(good)
+        self.accept_column(self.up(matrix=[Q(x, 3) for x in k]))
+        for matrix in ((0,) * 9, [-x for x in k], (*k[:6], *(-x for x in k[6:])), (*(-x for x in k[:6]), *k[6:])):
+            self.reject(self.column(self.up(matrix=matrix)), "R1")
+        left = self.up(left=True)                          # det J < 0, so det K < 0 where K J is positive
+        self.reject(self.column(left), "R1")
+        left.matrix = k
+        self.reject(self.column(left), "R1")
+        back = self.up()
+        for k in range(4):                                 # turns back at the end: list 2 is below list 1
+            x = back.points[3 * k + 2]
+            back.points[3 * k + 2] = (*x[:2], back.points[3 * k + 1][2] - Q(1, 16))
+        self.reject(self.column(back), "R1")
+        flat = self.up()
+        flat.points[3] = flat.points[0]
+        self.reject(self.column(flat), "R1")
+
+    def test_r2(self):
+        self.reject(self.column(self.up(volume=1), cage=[mf.volume(), mf.volume(lambda x, y, z: (x + 2, y, z))]), "R2")
+        thin = straight(mf.rod(first=(Q(1, 4), HALF)), 0, 5, Q(1, 2), grid=self.COLUMN)
+        self.reject(self.column(thin), "R2")
+        two = {(0, 0, 0): 0, (0, 0, 1): 0}
+        self.reject(Micro([Grid(self.COLUMN.breaks, two)], [mf.rod()], bridges=[self.up()]), "R2")    # the cap is glued
+        self.reject(self.column(straight(mf.jack(), 0, 5, Q(1, 2), grid=self.COLUMN), tile=mf.jack(walls=range(5))), "R2")    # there is no cap
+        outward = straight(mf.rod(), 0, 4, Q(1, 4), grid=self.COLUMN)
+        self.reject(self.column(outward), "R2")            # the wall lies in a face that is not glued
+        keel = mf.keel(ridge=Q(1, 16)).turned((0, 1, 2), (0, 0, 1))
+        self.reject(self.column(self.up(), tile=keel), "R2")    # two caps of two patches
+        cupped = cup()                                     # an annulus of four patches
+        self.reject(self.column(self.up(), tile=cupped), "R2")
+        high = self.up(turn=True)
+        for k in range(4):                                 # list 0 is a little beyond the front
+            high.points[3 * k] = (*high.points[3 * k][:2], Q(1, 4) + Q(1, 1 << 20))
+        self.reject(self.column(high), "R2")
+
+    def test_r2_in_other_degrees(self):
+        for turns in range(2):
+            for p, q in ((2, 2), (3, 1), (1, 2), (7, 7)):
+                low = self.up(turn=turns == 1)
+                lists = [low.points[k::3] for k in range(3)]
+                lists = [elevated(points, p, q) for points in lists]
+                self.accept_column(mf.Bridge.along(lists, 0, 5, degrees=(p, q), matrix=low.matrix))
+        tile = mf.rod()
+        tile.patches[1] = raised(tile.patches[1])
+        self.accept_column(self.up(), tile=tile)
+
+    def test_r3(self):
+        self.reject(self.column(self.up(Q(3, 4))), "R3")   # the end lies in the face of the volume
+        above = {(0, 0, 0): 0, (0, 0, 3): 0}
+        full = Micro([Grid(self.COLUMN.breaks, above)], [mf.rod()], bridges=[self.up(Q(1, 2))])
+        self.reject(full, "R3")                            # the end touches a cell with a tile
+        self.accept(Micro([Grid(self.COLUMN.breaks, above)], [mf.rod()], bridges=[self.up(HALF - Q(1, 1 << 40))]), 4, 2, 0, 2, 2, 0)
+        for k in (1, 2):
+            wide = self.up(turn=True)
+            wide.points[k] = (0, *wide.points[k][1:])
+            self.reject(self.column(wide), "R3")
+
+    def test_r3_other_slices_miss_the_own_cell(self):
+        wide = Grid([[Q(i, 2) for i in range(3)], [0, 1], [Q(i, 4) for i in range(5)]], {(0, 0, 0): 0})
+        up = straight(mf.rod(), 0, 5, Q(1, 2), grid=wide, turn=True)
+        self.accept(Micro([wide], [mf.rod()], bridges=[up]), 8, 1, 0, 1, 1, 0)
+        self.accept(Micro([wide], [mf.rod()], bridges=[straight(mf.rod(), 0, 5, HALF, grid=wide, cuts=(Q(1, 1 << 40),))]), 8, 1, 0, 1, 1, 0)
+        beside = {(0, 0, 0): 0, (1, 0, 1): 0}              # a cell beside the bridge
+        self.accept(Micro([Grid(wide.breaks, beside)], [mf.rod()], bridges=[up]), 8, 2, 0, 2, 2, 0)
+
+    def test_a_bridge_that_slices_save(self):
+        """It leans over a cell with a tile: the box of the whole meets that cell, those of its slices do not."""
+        grid = Grid([[Q(i, 4) for i in range(5)], [0, 1], [Q(i, 8) for i in range(9)]], {(0, 0, 0): 0, (2, 0, 1): 0})
+        up = straight(mf.rod(), 0, 5, Q(1, 2), grid=grid, turn=True)
+        for k in range(4):
+            x = up.points[3 * k + 2]
+            up.points[3 * k + 2] = (x[0] + Q(3, 8), *x[1:])
+        up.matrix = tuple(x * (100 if k > 5 else 1) for k, x in enumerate(up.matrix))
+        micro = Micro([grid], [mf.rod()], bridges=[up])
+        self.reject(micro, "R3")
+        up.cuts = (HALF,)
+        self.accept(micro, 32, 2, 0, 2, 2, 0)
+
+    def test_r4(self):
+        grid = Grid([[0, 1], [0, 1], [Q(i, 5) for i in range(6)]], {(0, 0, 0): 0, (0, 0, 4): 0})
+        for gap, verdict in ((Q(1, 1 << 60), True), (0, False), (-Q(1, 10), False)):
+            up, down = straight(mf.rod(), 0, 5, Q(3, 10) - gap, grid=grid), straight(mf.rod(), 4, 4, Q(3, 10), grid=grid)
+            micro = Micro([grid], [mf.rod()], bridges=[up, down])
+            self.accept(micro, 5, 2, 0, 2, 2, 0) if verdict else self.reject(micro, "R4")
+
+    def test_bridges_across_glued_faces(self):
+        """From a tile at x = 1 of the first volume into the second one, whose parameters are turned."""
+        for order in itertools.permutations(range(3)):
+            for flips in itertools.product((0, 1), repeat=3):
+                for is_reversed in (False, True):
+                    with self.subTest(order=order, flips=flips, is_reversed=is_reversed):
+                        self.across(order, flips, is_reversed)
+
+    def across(self, order, flips, is_reversed):
+        """is_reversed: the volume with the tile comes second. Its domain is [0, 1], the other one's [1, 3]."""
+        bar = mf.rod(axis=0, first=(Q(1, 8), Q(3, 8)), second=(Q(1, 4), Q(5, 8)))
+        cage = [mf.volume(), mf.volume(lambda x, y, z: (x + 1, y, z), order, flips, domain=(1, 3))]
+        straight_on = straight(bar, 0, 1, HALF)
+
+        def place(x):
+            """From space to the other volume's parameters."""
+            unit = (x[0] - 1, x[1], x[2])
+            return tuple(1 + 2 * (1 - unit[order[k]] if flips[k] else unit[order[k]]) for k in range(3))
+        lists = [[place(p) for p in straight_on.points[k::3]] for k in range(3)]
+        lists = righted(lists)
+        if is_reversed:
+            cage.reverse()
+        bridge = mf.Bridge.along(lists, 0, 1, volume=int(not is_reversed), matrix=inverse_of(lists))
+        grid = Grid.block((1, 1, 1), volume=int(is_reversed))
+        options = ("--orient", "auto")
+        self.accept(Micro([grid], [bar], cage, bridges=[bridge]), 1, 1, 0, 1, 1, 0, options=options)
+        wrong = mf.Bridge.along(righted(lists[::-1]), 0, 1, volume=bridge.volume, matrix=inverse_of(righted(lists[::-1])))
+        self.reject(Micro([grid], [bar], cage, bridges=[wrong]), "R2", options=options)
+        own = mf.Bridge.along(lists, 0, 1, volume=int(is_reversed), matrix=inverse_of(lists))
+        self.reject(Micro([grid], [bar], cage, bridges=[own]), "R2", options=options)
+        moved = mf.Bridge.along([[tuple(c + (k == 0) * Q(1, 1 << 30) for c in p) for p in points] for k, points in enumerate(lists)], 0, 1,
+                                volume=bridge.volume, matrix=bridge.matrix)
+        self.reject(Micro([grid], [bar], cage, bridges=[moved]), "R2", options=options)
+
+    def test_refused(self):
+        micro = self.column(self.up())
+        good = self.up().json()
+        self.accept(micro, 4, 1, 0, 1, 1, 0)
+        for change in ({"grid": 1}, {"grid": -1}, {"cell": 1}, {"cell": 4}, {"cell": -1}, {"wall": 6}, {"wall": "5"}, {"volume": 1}, {"volume": None},
+                       {"degrees": [1]}, {"degrees": [1, 8]}, {"degrees": [0, 1]}, {"degrees": [1, 2]}, {"points": good["points"][:-1]},
+                       {"points": good["points"] + [["0", "0", "0"]]}, {"points": [["0", "0"], *good["points"][1:]]},
+                       {"points": [["0", "0", 0], *good["points"][1:]]}, {"points": [["0", "0", f"1/{1 << 2304}"], *good["points"][1:]]},
+                       {"points": [["0", "0", str(1 << 2304)], *good["points"][1:]]}, {"more": 1}):
+            self.refuse(micro, bridges=json.dumps([{**good, **change}]))
+        for key in good:
+            self.refuse(micro, bridges=json.dumps([{k: v for k, v in good.items() if k != key}]))
+        self.refuse(micro, bridges=json.dumps([good, good]))
+        self.refuse(micro, bridges=json.dumps([good, {**good, "wall": 4}]))
+        self.refuse(micro, bridges="null")
+        text = self.column().text(bridges="[]")
+        body = mf.hints([mf.rod()]) + mf.cage_body(micro.cage_text(), VERITOPE)
+        self.judge(text, mf.certificate(text, body, {**dict(zip(mf.NUMBERS, (4, 1, 0, 1, 1, 0))), "bridges": 0}), 0, "ACCEPT")
+
+
+class Materials(Judged):
+    def judge_materials(self, expected, materials, micro=None, **members):
+        micro = micro or Micro([Grid.block((1, 1, 2))], [mf.rod()])
+        text = micro.text(materials=materials, **members)
+        body = mf.hints(micro.tiles) + mf.cage_body(micro.cage_text(), VERITOPE)
+        numbers = {**dict(zip(mf.NUMBERS, (2, 2, 1, 1, 1, 0))), "bridges": 0}
+        self.judge(text, mf.certificate(text, body, numbers), *expected)
+
+    def test_materials(self):
+        accepted, refused = (0, "ACCEPT"), (4, "")
+        values = [0, -1, 1, (1 << 52) - 1, 1 - (1 << 52), *range(7)]
+        good = {"name": "share", "values": [values]}
+        self.judge_materials(accepted, json.dumps([good]))
+        self.judge_materials(accepted, json.dumps([good] * 16))
+        self.judge_materials(accepted, "[]")
+        self.judge_materials(refused, json.dumps([good] * 17))
+        for value in (1 << 52, -(1 << 52), 10**17, -(10**17), "1", None, 1.5, True):
+            self.judge_materials(refused, json.dumps([{**good, "values": [[value, *values[1:]]]}]))
+        for value in ("-0", "01", "+1", "1e3", "1.0", "--1", "-", ""):
+            self.judge_materials(refused, '[{"name": "a", "values": [[%s,0,0,0,0,0,0,0,0,0,0,0]]}]' % value)
+        for change in ({"values": []}, {"values": [values, values]}, {"values": [values[1:]]}, {"values": [[*values, 0]]}, {"values": values}, {"name": 1},
+                       {"unit": "m"}):
+            self.judge_materials(refused, json.dumps([{**good, **change}]))
+        for key in good:
+            self.judge_materials(refused, json.dumps([{k: v for k, v in good.items() if k != key}]))
+
+    def test_order_of_keys(self):
+        micro = Micro([Grid.block((1, 1, 2))], [mf.rod()])
+        self.refuse(micro, materials="[]", bridges="[]")   # materials come last
+
+
+def elevated(points, p, q):
+    """The bilinear patch in the degrees (p, q)."""
+    p00, p01, p10, p11 = points
+    return [tuple((1 - u) * ((1 - v) * a + v * b) + u * ((1 - v) * c + v * d) for a, b, c, d in zip(p00, p01, p10, p11))
+            for u in (Q(i, p) for i in range(p + 1)) for v in (Q(j, q) for j in range(q + 1))]
+
+
+class StarBoxes(Judged):
+    """Tiles that star boxes prove."""
+
+    def test_honest(self):
+        for tile in (mf.jack(), mf.rod(), mf.keel(ridge=Q(1, 16))):
+            proved = mf.boxed(tile, VERITOPE)
+            self.accept(one(proved), 1, 1, 0, 1, 1, 0)
+        proved = mf.boxed(mf.jack(), VERITOPE)
+        self.accept(Micro([Grid.block((2, 2, 2))], [proved]), *jack_numbers(2, 2, 2))
+        self.accept(stack(proved, mf.jack()), 2, 2, 1, 1, 1, 0)
+
+    def test_a_tile_that_is_not_star_shaped(self):
+        """A frame: a rod along z with a hole along x, of genus 1."""
+        frame = mf.frame()
+        self.reject(one(frame), "F1")
+        self.accept(one(mf.boxed(frame, VERITOPE)), 1, 1, 0, 1, 1, 1)
+        self.accept(stack(*[mf.boxed(frame, VERITOPE)] * 2), 2, 2, 1, 1, 1, 2)
+
+    def test_f3(self):
+        graded, still = mf.jack(slope=Q(1, 16)), mf.boxed(mf.jack(), VERITOPE)
+        self.reject(one(graded.copy(boxes=still.boxes), numbers=lambda *i: 0), "F3")
+        jack = mf.jack()
+        small = [s.mapped(lambda x: tuple(HALF + (c - HALF) / 16 for c in x)) for s in mf.rod(first=(Q(1, 8), Q(3, 8))).patches]
+        away = [s.mapped(lambda x: (x[0] + Q(3, 8), x[1] + Q(3, 8), x[2] + Q(3, 8))) for s in small]
+        both = mf.boxed(mf.Tile("both", jack.patches + away), VERITOPE)
+        self.reject(one(both), "F3")                       # two shells
+        hollow = mf.Tile("hollow", jack.patches + [s.mapped(lambda x: x, turn=True) for s in small])
+        self.reject(one(mf.boxed(hollow, VERITOPE)), "F3")
+
+    def test_the_conditions_of_star_boxes(self):
+        honest = mf.boxed(mf.jack(), VERITOPE)
+        self.reject(one(honest.copy(boxes=honest.boxes[:-1])), "B1")
+        self.reject(one(honest.copy(boxes=honest.boxes + b"\0")), "B1")
+        self.reject(one(honest.copy(boxes=b"")), "B1")
+        self.reject(one(honest.copy(boxes=b"VTSB" + honest.boxes[4:])), "B1")
+        flags = bytearray(honest.boxes)
+        flags[9] = 1
+        self.reject(one(honest.copy(boxes=bytes(flags))), "P1")
+        self.reject(one(mf.jack(half=Q(3, 16)).copy(boxes=honest.boxes)), "C1")
+        broken = jack_or(lambda patches: patches.pop(0)).copy(boxes=honest.boxes)
+        self.reject(one(broken), "S0")                     # before the body is read
+        self.reject(Micro([Grid.block((1, 1, 1))], [mf.keel(), honest.copy(boxes=b"")]), "T2")
+
+
 class Refused(Judged):
     def test_members(self):
         micro = one(mf.jack(slope=Q(1, 16)), numbers=lambda *i: 1)
@@ -607,7 +926,7 @@ class Refused(Judged):
         micro = one(mf.jack())
         text = micro.text()
         body = mf.hints(micro.tiles) + mf.cage_body(micro.cage_text(), VERITOPE)
-        numbers = dict(zip(mf.NUMBERS, (1, 1, 0, 1, 1, 0)))
+        numbers = {**dict(zip(mf.NUMBERS, (1, 1, 0, 1, 1, 0))), "bridges": 0}
         for changed in (text + b"{}", b"[" + text, text[:-2], b"", text.replace(b'"jack"', b'"j\xff"'), text.replace(b'"model": null,\n', b"") + b" "):
             self.judge(changed, mf.certificate(changed, body, numbers), 4, "")
         spaced = text.replace(b",", b" ,\t\r\n")

@@ -33,11 +33,14 @@ class Patch:
 
 
 class Tile:
-    def __init__(self, name, patches, centre=MIDDLE, exit=0, range=None):
+    """boxes: the body of star-box-2 that proves it; None: centre and exit do."""
+
+    def __init__(self, name, patches, centre=MIDDLE, exit=0, range=None, boxes=None):
         self.name, self.patches, self.centre, self.exit, self.range = name, list(patches), tuple(map(Q, centre)), exit, range
+        self.boxes = boxes
 
     def copy(self, **changes):
-        tile = Tile(self.name, self.patches, self.centre, self.exit, self.range)
+        tile = Tile(self.name, self.patches, self.centre, self.exit, self.range, self.boxes)
         for key, value in changes.items():
             setattr(tile, key, value)
         return tile
@@ -54,6 +57,10 @@ class Tile:
 
 def subtract(a, b):
     return tuple(x - y for x, y in zip(a, b))
+
+
+def cross(a, b):
+    return tuple(a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3] for k in range(3))
 
 
 def determinant(a, b, c):
@@ -167,6 +174,36 @@ def twice_wound(name="twice"):
     return polyhedron(name, facets)
 
 
+def frame(name="frame"):
+    """A rod along z over [1/4, 3/4]^2 with a square hole along x: genus 1. Patches 0 and 1 are its caps."""
+    def block_facets(cells, axes):
+        """The quads between blocks of a lattice that are in the solid and others."""
+        facets = []
+        for cell in sorted(cells):
+            for axis in range(3):
+                for end in (0, 1):
+                    beyond = tuple(c + (2 * end - 1) * (a == axis) for a, c in enumerate(cell))
+                    if beyond in cells:
+                        continue
+                    others = [a for a in range(3) if a != axis]
+                    corners = []
+                    for s, t in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                        index = list(cell)
+                        index[axis] += end
+                        index[others[0]] += s
+                        index[others[1]] += t
+                        corners.append(tuple(axes[a][index[a]] for a in range(3)))
+                    middle = tuple((axes[a][cell[a]] + axes[a][cell[a] + 1]) / 2 for a in range(3))
+                    facets.append((corners, middle))
+        return facets
+    axes = [[Q(1, 4), Q(3, 4)], [Q(1, 4), Q(3, 8), Q(5, 8), Q(3, 4)], [Q(0), Q(3, 8), Q(5, 8), Q(1)]]
+    cells = {(0, j, k) for j in range(3) for k in range(3)} - {(0, 1, 1)}
+    facets = block_facets(cells, axes)
+    in_wall = [f for f in facets if all(p[2] in (0, 1) for p in f[0])]
+    others = [f for f in facets if f not in in_wall]
+    return Tile(name, [facet(corners, middle) for corners, middle in in_wall + others])
+
+
 # ---------------------------------------------------------------- files
 
 def volume(place=lambda *x: x, order=(0, 1, 2), flips=(0, 0, 0), degree=1, domain=(0, 1)):
@@ -213,9 +250,29 @@ class Grid:
             yield self.numbers(axis, *i) if i in self.cells or before in self.cells else 0
 
 
+class Bridge:
+    """points: the coefficients, the third axis fastest. matrix and cuts: K and s_1 to s_(m - 1) of the certificate."""
+
+    def __init__(self, cell, wall, points, degrees=(1, 1), grid=0, volume=0, matrix=(1, 0, 0, 0, 1, 0, 0, 0, 1), cuts=()):
+        self.cell, self.wall, self.points, self.degrees, self.grid, self.volume = cell, wall, [tuple(map(Q, p)) for p in points], degrees, grid, volume
+        self.matrix, self.cuts = tuple(map(Q, matrix)), tuple(map(Q, cuts))
+
+    @classmethod
+    def along(cls, lists, cell, wall, **others):
+        """lists: for each of the three indices of the third axis its points, the second parameter fastest."""
+        return cls(cell, wall, [p for points in zip(*lists, strict=True) for p in points], **others)
+
+    def json(self):
+        return {"grid": self.grid, "cell": self.cell, "wall": self.wall, "volume": self.volume, "degrees": list(self.degrees),
+                "points": [[str(x) for x in p] for p in self.points]}
+
+    def hints(self):
+        return b"".join(map(rational, self.matrix)) + bytes([len(self.cuts) + 1]) + b"".join(map(rational, self.cuts))
+
+
 class Micro:
-    def __init__(self, grids, tiles, cage=None, model=None):
-        self.grids, self.tiles, self.model = list(grids), list(tiles), model
+    def __init__(self, grids, tiles, cage=None, model=None, bridges=()):
+        self.grids, self.tiles, self.model, self.bridges = list(grids), list(tiles), model, list(bridges)
         self.cage = cage or [volume()]
 
     def cage_text(self):
@@ -226,12 +283,87 @@ class Micro:
         def lines(items):
             return "[" + ",".join("\n" + x for x in items) + "]"
         has_range = any(t.range is not None for t in self.tiles)
+        extra = {"bridges": lines(json.dumps(b.json()) for b in self.bridges)} if self.bridges else {}
         return {"format": '"veritope-micro-1"', "model": json.dumps(self.model), "cage": self.cage_text(),
                 "grids": lines(json.dumps({"volume": g.volume, "breaks": [[str(b) for b in axis] for axis in g.breaks]}) for g in self.grids),
                 "tiles": lines(map(tile_text, self.tiles)),
                 "cells": lines(json.dumps([g.hexadecimal(t) for t in range(len(self.tiles))]) for g in self.grids),
                 "walls": lines("[" + ",".join("[" + ",".join(map(str, g.walls(a))) + "]" for a in range(3)) + "]" for g in self.grids) if has_range
-                         else "[]"}
+                         else "[]", **extra}
+
+    def text(self, **members):
+        """members: texts that replace those of the file; None leaves a member out."""
+        every = {**self.members(), **members}
+        return ("{" + ",\n".join(f'"{key}": {value}' for key, value in every.items() if value is not None) + "}\n").encode()
+
+
+def tile_text(tile):
+    patches = [{"wall": s.wall, "degrees": list(s.degrees), "points": [[[str(x) for x in p] for p in points] for points in s.points]}
+               for s in tile.patches]
+    return json.dumps({"name": tile.name, "range": None if tile.range is None else list(tile.range), "patches": patches})
+
+
+# ---------------------------------------------------------------- certificates
+
+def varint(n):
+    out = bytearray()
+    while n > 127:
+        out.append(n & 127 | 128)
+        n >>= 7
+    return bytes(out) + bytes([n])
+
+
+def rational(r):
+    p, q = Q(r).numerator, Q(r).denominator
+    if max(abs(p), q) < 1 << 63:
+        return varint(2 * p if p >= 0 else -2 * p - 1) + varint(q)
+    a, b = (n.to_bytes((n.bit_length() + 7) // 8, "little") for n in (abs(p), q))
+    return b"\0\0" + varint(len(a) + 1) + bytes([p < 0]) + a + varint(len(b)) + b
+
+
+def cage_body(text, veritope, *options):
+    """The body of the certificate of vmodel-1 about the cage."""
+    return certified_body(text, veritope, b"VTVM", *options)
+
+
+@functools.lru_cache(maxsize=None)
+def certified_body(text, veritope, magic, *options, suffix=".vjson"):
+    """The body with this magic number of the certificate that the program finds for a model."""
+    with tempfile.TemporaryDirectory() as folder:
+        model, certificate = pathlib.Path(folder, "model" + suffix), pathlib.Path(folder, "model.cert")
+        model.write_text(text)
+        done = subprocess.run([veritope, "certify", "--no-check", *options, "--certificate", certificate, model], capture_output=True, text=True,
+                              timeout=300, check=False)
+        body = certificate.read_bytes().split(b"\n", 1)[1] if certificate.exists() else b""
+        if not body.startswith(magic):
+            raise ValueError(done.stdout + done.stderr)
+        return body
+
+
+def hints(self):
+        return b"".join(map(rational, self.matrix)) + bytes([len(self.cuts) + 1]) + b"".join(map(rational, self.cuts))
+
+
+class Micro:
+    def __init__(self, grids, tiles, cage=None, model=None, bridges=()):
+        self.grids, self.tiles, self.model, self.bridges = list(grids), list(tiles), model, list(bridges)
+        self.cage = cage or [volume()]
+
+    def cage_text(self):
+        return json.dumps({"format": "veritope-spline-1", "groups": [], "entities": self.cage})
+
+    def members(self):
+        """The file's members, as texts: a test may change one."""
+        def lines(items):
+            return "[" + ",".join("\n" + x for x in items) + "]"
+        has_range = any(t.range is not None for t in self.tiles)
+        extra = {"bridges": lines(json.dumps(b.json()) for b in self.bridges)} if self.bridges else {}
+        return {"format": '"veritope-micro-1"', "model": json.dumps(self.model), "cage": self.cage_text(),
+                "grids": lines(json.dumps({"volume": g.volume, "breaks": [[str(b) for b in axis] for axis in g.breaks]}) for g in self.grids),
+                "tiles": lines(map(tile_text, self.tiles)),
+                "cells": lines(json.dumps([g.hexadecimal(t) for t in range(len(self.tiles))]) for g in self.grids),
+                "walls": lines("[" + ",".join("[" + ",".join(map(str, g.walls(a))) + "]" for a in range(3)) + "]" for g in self.grids) if has_range
+                         else "[]", **extra}
 
     def text(self, **members):
         """members: texts that replace those of the file; None leaves a member out."""
@@ -277,25 +409,153 @@ def cage_body(text, veritope, *options):
         return body
 
 
-def hints(tiles, count=None):
+def hints(tiles, bridges=(), count=None):
     """The body before its part about the cage."""
-    body = b"VTMS" + (len(tiles) if count is None else count).to_bytes(4, "little")
-    return body + b"".join(b"".join(map(rational, t.centre)) + varint(t.exit) for t in tiles)
+    body = b"VTMS" + (len(tiles) if count is None else count).to_bytes(4, "little") + len(bridges).to_bytes(4, "little")
+    return body + b"".join(map(hint, tiles)) + b"".join(b.hints() for b in bridges)
+
+
+def hint(tile):
+    if tile.boxes is not None:
+        return b"\1" + len(tile.boxes).to_bytes(4, "little") + tile.boxes
+    return b"\0" + b"".join(map(rational, tile.centre)) + varint(tile.exit)
+
+
+def surfaces(tile):
+    """The patches of a tile, which has no range, as a model of surfaces: the entities of its part about star boxes."""
+    def entity(s):
+        knots = [["0"] * (n + 1) + ["1"] * (n + 1) for n in s.degrees]
+        return {"kind": "surface", "group": None, "attributes": [], "shape": {
+            "degrees": list(s.degrees), "periodic": [False] * 2, "knots": knots, "rational": False, "components": 3,
+            "points": [[str(x) for x in p] for p in s.points[0]]}}
+    return json.dumps({"format": "veritope-spline-1", "groups": [], "entities": [entity(s) for s in tile.patches]})
+
+
+def boxed(tile, veritope, *options):
+    """The tile with the body of star-box-2 that is found for it, or that says what one of star-box-1 says."""
+    body = certified_body(surfaces(tile), veritope, b"VTS", *options)
+    return tile.copy(boxes=body if body[3:4] == b"2" else in_version_2(body, len(tile.patches)))
+
+
+class Cursor:
+    def __init__(self, data):
+        self.data, self.at = data, 0
+
+    def take(self, n):
+        self.at += n
+        return self.data[self.at - n:self.at]
+
+    def varint(self):
+        n, shift = 0, 0
+        while True:
+            byte = self.take(1)[0]
+            n, shift = n | (byte & 127) << shift, shift + 7
+            if byte < 128:
+                return n
+
+    def zigzag(self):
+        n = self.varint()
+        return n // 2 if n % 2 == 0 else -(n // 2) - 1
+
+
+def zigzag(z):
+    return varint(2 * z if z >= 0 else -2 * z - 1)
+
+
+def in_version_2(body, patches):
+    """A body of star-box-1 about surfaces without inner breaks, as one of star-box-2."""
+    cursor = Cursor(body)
+    cursor.take(8)
+    out = [b"VTS2", body[4:8], b"".join(bytes([1, flag]) for flag in cursor.take(patches))]
+    begin = cursor.at
+    cursor.take(patches * 2 * (4 + 2 * 2) + 2 * patches)   # breaks 0 and 1 for each axis, and the roots
+    cursor.varint()
+    out += [body[begin:cursor.at], bytes(4)]
+    count = cursor.take(4)
+    out.append(count)
+    for _ in range(int.from_bytes(count, "little")):
+        kind, s = cursor.take(1), cursor.varint()
+        lo, size = [cursor.zigzag() for _ in range(3)], [cursor.varint() for _ in range(3)]
+        out += [kind, varint(0), varint(s), *map(zigzag, lo), *map(varint, size)]
+        if kind == b"\0":
+            minus, plus = [cursor.varint() for _ in range(3)], [cursor.varint() for _ in range(3)]
+            out += [b"\1\0", varint(s), *[zigzag(a + b) for a, b in zip(lo, minus)], *[zigzag(b - a) for a, b in zip(minus, plus)]]
+    return b"".join(out) + body[cursor.at:]
 
 
 def certificate(text, body, numbers, **changes):
-    """numbers: those of section 7, by name. changes: of the statement."""
+    """numbers: those of section 8, by name. changes: of the statement."""
     statement = {"certificate": "veritope-certificate-1", "tool": "micro_files", "claim": "microstructure-1",
                  "subject_sha256": hashlib.sha256(text).hexdigest(), "subject_bytes": len(text), "subject_format": "vmicro",
                  "body_sha256": hashlib.sha256(body).hexdigest(), **numbers, **changes}
     return json.dumps(statement, separators=(",", ":")).encode() + b"\n" + body
 
 
-NUMBERS = ("cells", "tiles", "glued_caps", "components", "shells", "genus")
+NUMBERS = ("cells", "tiles", "glued_caps", "components", "shells", "genus")    # bridges are counted
 
 
 def certified(micro, numbers, veritope, *options, members=None):
     """(the file, its certificate). numbers: in the order of NUMBERS."""
     text = micro.text(**(members or {}))
-    body = hints(micro.tiles) + cage_body(micro.cage_text(), veritope, *options)
-    return text, certificate(text, body, dict(zip(NUMBERS, numbers, strict=True)))
+    body = hints(micro.tiles, micro.bridges) + cage_body(micro.cage_text(), veritope, *options)
+    return text, certificate(text, body, {**dict(zip(NUMBERS, numbers, strict=True)), "bridges": len(micro.bridges)})
+
+
+# ---------------------------------------------------------------- inside of a mesh
+
+READING_RULE = (
+    "Reading rule v1: vertices with equal coordinates are one vertex, -0 equals +0, unless as_indexed is true (STL: always one); vertex ids count "
+    "first occurrences in file order; polygons are fans from their first vertex; decimals round to the nearest binary64, ties to even; binary "
+    "floats are widened exactly; normals, colours, texture, lines, groups and attribute bytes are ignored; unreferenced vertices are ignored; all "
+    "solid blocks of an ASCII STL are one model; the file is refused unless it yields at least one triangle, finite coordinates and indices in "
+    "range.")
+
+
+class Mesh:
+    """Triangles in an OFF file. corners: binary64 numbers."""
+
+    def __init__(self):
+        self.corners, self.triangles = [], []
+
+    def box(self, lo, hi, inward=False):
+        """Adds the surface of a box."""
+        first = len(self.corners)
+        self.corners += [tuple(float((lo, hi)[e][k]) for k, e in enumerate(ends)) for ends in itertools.product((0, 1), repeat=3)]
+        for a, b, c, d in ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)):
+            for t in ((a, b, c), (a, c, d)):
+                self.triangles.append(tuple(first + i for i in (t[::-1] if inward else t)))
+        return self
+
+    def text(self):
+        lines = ["OFF", f"{len(self.corners)} {len(self.triangles)} 0"]
+        lines += [" ".join(map(repr, p)) for p in self.corners] + ["3 %d %d %d" % t for t in self.triangles]
+        return "\n".join(lines) + "\n"
+
+
+class Void:
+    def __init__(self, x, corner=8, volume=0):
+        self.x, self.corner, self.volume = tuple(map(Q, x)), corner, volume
+
+    def bytes(self):
+        return self.volume.to_bytes(4, "little") + b"".join(map(rational, self.x)) + bytes([self.corner])
+
+
+def inside_body(structure, solid, voids=(), count=None):
+    return b"".join([b"VTIM", len(structure).to_bytes(4, "little"), len(solid).to_bytes(4, "little"), structure, solid,
+                     (len(voids) if count is None else count).to_bytes(4, "little"), *[v.bytes() for v in voids]])
+
+
+def inside_certificate(text, solid, body, numbers, **changes):
+    """solid: the model's bytes, an OFF file."""
+    return certificate(text, body, numbers, **{
+        "claim": "micro-inside-1", "model_sha256": hashlib.sha256(solid).hexdigest(), "model_bytes": len(solid), "model_format": "off",
+        "reading_rule": READING_RULE, "as_indexed": False, "skin": "-", **changes})
+
+
+def certified_inside(micro, solid, numbers, veritope, *options, voids=(), **changes):
+    """(the file, its certificate, the model)."""
+    text, model = micro.text(), solid.text()
+    structure = hints(micro.tiles, micro.bridges) + cage_body(micro.cage_text(), veritope, *options)
+    body = inside_body(structure, certified_body(model, veritope, b"VTMV", suffix=".off"), voids)
+    every = {**dict(zip(NUMBERS, numbers, strict=True)), "bridges": len(micro.bridges)}
+    return text, inside_certificate(text, model.encode(), body, every, **changes), model.encode()

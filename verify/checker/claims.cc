@@ -83,7 +83,13 @@ const std::vector<Claim>& all_claims() {
        " body_sha256 certificate claim finding subject_format subject_sha256 tool",
        " cells subject_bytes", "", check_vmodel_finding, check_vmodel_invalid},
       {"microstructure-1", "VTMS", "vmicro", kStarText,
-       " cells components genus glued_caps shells subject_bytes tiles", "", nullptr, check_micro},
+       " bridges cells components genus glued_caps shells subject_bytes tiles", "", nullptr,
+       check_micro},
+      {"micro-inside-1", "VTIM", "vmicro",
+       " body_sha256 certificate claim model_format model_sha256 reading_rule skin subject_format "
+       "subject_sha256 tool",
+       " bridges cells components genus glued_caps model_bytes shells subject_bytes tiles",
+       " as_indexed", check_inside_values, check_micro_inside},
   };
   return claims;
 }

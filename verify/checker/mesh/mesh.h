@@ -13,12 +13,14 @@ Model read_model(std::string file, const std::string& format, bool as_indexed);
 
 struct Work {  // what section 5 of mesh.md counts and bounds; units: 1000 (F + size of the body)
   uint64_t done, limit;
+  const char* id = "B1";
   Work(const Model& model, const Body& body)
       : done(0), limit(1000 * (model.faces() + body.left())) {}
-  explicit Work(uint64_t most) : done(0), limit(most) {}
+  explicit Work(uint64_t most, const char* condition = "B1")
+      : done(0), limit(most), id(condition) {}
   void add(uint64_t units) {
     done += units;
-    require(done <= limit, "B1", "more work than allowed, units", limit);
+    require(done <= limit, id, "more work than allowed, units", limit);
   }
 };
 
@@ -69,6 +71,7 @@ struct Tree {
 struct Nesting {
   uint64_t bodies;
   std::string volume;
+  std::vector<uint64_t> depth;  // of each shell
 };
 Nesting check_nesting(const Model& model, const Surface& surface, const Tree& tree,
                       const std::vector<uint8_t>& codes, Work work);

@@ -23,14 +23,14 @@ std::vector<bool> reversed_triangles(uint32_t faces, Body* body) {
 
 }  // namespace
 
-ValidBody read_valid_body(const Statement& statement, Body body, Model* model) {
+ValidBody read_valid_body(const MeshKind& kind, Body body, Model* model) {
   ValidBody r;
   const uint32_t faces = model->faces(), vertices = model->vertices();
-  const std::string magic = statement.claim->magic;
-  require(body.begins_with(magic.c_str()), "B1", ("the body does not start with " + magic).c_str());
+  require(body.begins_with(kind.magic.c_str()), "B1",
+          ("the body does not start with " + kind.magic).c_str());
   require(body.natural(4) == faces, "B1", "the model's number of triangles is", faces);
   require(body.natural(4) == vertices, "B1", "the model's number of vertices is", vertices);
-  if (statement.number.count("reversed") != 0) r.reversed = reversed_triangles(faces, &body);
+  if (kind.has_reversed) r.reversed = reversed_triangles(faces, &body);
   for (uint32_t i = 0; i < faces; ++i) r.order.push_back(uint32_t(body.natural(4)));
   for (uint32_t v = 0; v < vertices; ++v) {
     r.star.push_back(uint8_t(body.natural(1)));

@@ -22,7 +22,20 @@ struct ValidBody {
     return uint64_t(std::count(reversed.begin(), reversed.end(), true));
   }
 };
+struct MeshKind {  // what differs between bodies about solids
+  std::string magic;
+  bool as_indexed, has_reversed;  // has_reversed: mesh-reversed-1
+};
 // B1, except the number of nesting codes. Reverses the triangles of the model that the body lists.
-ValidBody read_valid_body(const Statement& statement, Body body, Model* model);
+ValidBody read_valid_body(const MeshKind& kind, Body body, Model* model);
 // The rest of B1.
 void check_nesting_codes(const std::vector<uint8_t>& nesting, uint32_t shells);
+
+struct SolidMesh {
+  std::vector<std::pair<const char*, uint64_t>> numbers;  // of V11, by the statement's keys
+  std::string volume;
+  std::vector<uint32_t> shell;  // of each triangle
+  std::vector<uint64_t> depth;  // of each shell
+};
+// The conditions from B1 to V10, and R1, for a body about the model.
+SolidMesh check_solid(const MeshKind& kind, Model* model, const Body& bytes);

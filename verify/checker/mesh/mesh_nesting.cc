@@ -45,16 +45,18 @@ class NestingCheck {
         volumes[s] = volumes[s] + dot(cross(point(v), point(t[1])), point(t[2])) * fixed<C>(1);
       if (tips[s] == kNone || (!codes_.empty() && is_beyond(v, tips[s], codes_[s]))) tips[s] = v;
     }
-    uint64_t bodies = 0;
+    Nesting r = {0, std::string(), {}};
     Fixed<4 * C> total = fixed<4 * C>(0);
     for (uint32_t s = 0; s < surface_.shells; ++s) {
       const uint64_t depth = codes_.empty() ? 0 : depth_of(s, tips[s]);
+      r.depth.push_back(depth);
       require(sign(volumes[s]) == (depth % 2 == 0 ? 1 : -1), "V10", "wrong side out: shell", s);
-      bodies += depth % 2 == 0;
+      r.bodies += depth % 2 == 0;
       total = total + volumes[s];
     }
     require(sign(total) > 0, "V10", "the volume is not positive");
-    return Nesting{bodies, volume(total)};
+    r.volume = volume(total);
+    return r;
   }
 
  private:

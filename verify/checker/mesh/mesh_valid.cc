@@ -25,16 +25,15 @@ enum Outcome { kFails, kHolds, kOpen };
 template <int C>
 class ValidCheck {
  public:
-  ValidCheck(const Statement& statement, const Model& model, const ValidBody& body,
-             const Work& allowed)
-      : statement_(statement),
+  ValidCheck(const MeshKind& kind, const Model& model, const ValidBody& body, const Work& allowed)
+      : kind_(kind),
         model_(model),
         body_(body),
         surface_(model),
         allowed_(allowed),
         work_(allowed) {}
 
-  std::string result() {
+  SolidMesh result() {
     check_nesting_codes(body_.nesting, surface_.shells);
     require(body_.reversed.empty() || body_.num_reversed() > 0, "R1", "no triangle is reversed");
     std::vector<bool> seen(model_.faces());
@@ -55,7 +54,7 @@ class ValidCheck {
     const Tree tree(model_, body_.order, body_.star);
     tree_ = &tree;
     check_pairs();
-    return check_quantities(check_nesting(model_, surface_, tree, body_.nesting, allowed_));
+    return quantities(check_nesting(model_, surface_, tree, body_.nesting, allowed_));
   }
 
  private:
@@ -66,7 +65,7 @@ class ValidCheck {
     for (uint32_t v : model_.tri) {
       const int64_t* const k = &model_.key[3 * size_t(v)];
       point_[v] = lattice_point<C>(k, low);
-      if (statement_.flag.at("as_indexed")) places.push_back({{k[0], k[1], k[2], v}});
+      if (kind_.as_indexed) places.push_back({{k[0], k[1], k[2], v}});
     }
     std::sort(places.begin(), places.end());
     for (size_t i = 1; i < places.size(); ++i)
@@ -204,29 +203,25 @@ class ValidCheck {
     return uint64_t(std::count(is_kept.begin(), is_kept.end(), false));
   }
 
-  std::string check_quantities(const Nesting& nesting) const {  // V11
+  SolidMesh quantities(const Nesting& nesting) const {
     const uint64_t v = surface_.vertices, e = surface_.edges, f = model_.faces(),
                    s = surface_.shells;
-    const std::pair<const char*, uint64_t> numbers[] = {{"vertices", v},
-                                                        {"edges", e},
-                                                        {"faces", f},
-                                                        {"shells", s},
-                                                        {"bodies", nesting.bodies},
-                                                        {"genus", (2 * s + e - v - f) / 2},
-                                                        {"reversed", body_.num_reversed()},
-                                                        {"reversed_shells", reversed_shells()}};
-    std::string all;
-    for (const auto& n : numbers) {
-      if (statement_.number.count(n.first) == 0) continue;  // reversed: in mesh-reversed-1 only
-      require(statement_.number.at(n.first) == n.second, "V11", n.first, n.second);
-      all += std::to_string(n.second) + ' ' + n.first + ", ";
-    }
-    all += "volume " + nesting.volume;
-    require(statement_.text.at("volume") == nesting.volume, "V11", all.c_str());
-    return all;
+    SolidMesh r;
+    r.numbers = {{"vertices", v},
+                 {"edges", e},
+                 {"faces", f},
+                 {"shells", s},
+                 {"bodies", nesting.bodies},
+                 {"genus", (2 * s + e - v - f) / 2},
+                 {"reversed", body_.num_reversed()},
+                 {"reversed_shells", reversed_shells()}};
+    r.volume = nesting.volume;
+    r.shell = surface_.shell;
+    r.depth = nesting.depth;
+    return r;
   }
 
-  const Statement& statement_;
+  const MeshKind& kind_;
   const Model& model_;
   const ValidBody& body_;
   const Surface surface_;
@@ -249,10 +244,25 @@ void check_volume(const Statement& statement) {
           "S1", "volume is not p/q");
 }
 
+SolidMesh check_solid(const MeshKind& kind, Model* model, const Body& bytes) {
+  const ValidBody body = read_valid_body(kind, bytes, model);
+  const Model& read = *model;
+  return with_limbs<ValidCheck, SolidMesh>(Lattice(read).bits, kind, read, body, Work(read, bytes));
+}
+
 std::string check_mesh_valid(const Statement& statement, std::string file, const Body& bytes) {
-  Model model = read_model(std::move(file), statement.text.at("subject_format"),
-                           statement.flag.at("as_indexed"));
-  const ValidBody body = read_valid_body(statement, bytes, &model);
-  return with_limbs<ValidCheck, std::string>(Lattice(model).bits, statement, model, body,
-                                             Work(model, bytes));
+  const bool as_indexed = statement.flag.at("as_indexed");
+  Model model = read_model(std::move(file), statement.text.at("subject_format"), as_indexed);
+  const MeshKind kind = {statement.claim->magic, as_indexed,
+                         statement.number.count("reversed") != 0};
+  const SolidMesh solid = check_solid(kind, &model, bytes);
+  std::string all;
+  for (const auto& n : solid.numbers) {                  // V11
+    if (statement.number.count(n.first) == 0) continue;  // reversed: in mesh-reversed-1 only
+    require(statement.number.at(n.first) == n.second, "V11", n.first, n.second);
+    all += std::to_string(n.second) + ' ' + n.first + ", ";
+  }
+  all += "volume " + solid.volume;
+  require(statement.text.at("volume") == solid.volume, "V11", all.c_str());
+  return all;
 }

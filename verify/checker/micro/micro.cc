@@ -3,6 +3,7 @@
 #include "micro.h"
 
 #include "../patches/star_box.h"
+#include "../patches/star_extraction.h"
 #include "micro_claim.h"
 
 namespace {
@@ -11,22 +12,66 @@ namespace {
 // coefficients of G, over all patches.
 const int64_t kMostPatchBits = 4096;
 const uint64_t kMostCoefficients = 1 << 18, kMostBitsOfG = 1 << 27;
+const uint64_t kMostCostOfBridges = uint64_t(1) << 36;
 
+// B1.
+void read_hint(MicroTile* tile, Bytes* bytes) {
+  tile->has_boxes = bytes->at_most(bytes->body.natural(1), 1, "there is no proof") == 1;
+  if (tile->has_boxes) {
+    const uint64_t length = bytes->body.count(1);
+    tile->boxes = Body{bytes->body.p, bytes->body.p + length};
+    bytes->body.p += length;
+    return;
+  }
+  for (Ratio& a : tile->centre) a = bytes->rational();
+  tile->exit = bytes->varint();
+  require(tile->exit < tile->patches.size(), "B1", "the exit is no patch:", tile->exit);
+}
+// B1, and B2 for K and the slices.
+void read_hint(MicroBridge* bridge, uint64_t number, Bytes* bytes) {
+  std::vector<Ratio> k;
+  while (k.size() < 9) k.push_back(bytes->rational());
+  bridge->cut = {Ratio(Big(0))};
+  const uint64_t m = bytes->body.natural(1);
+  require(m > 0 && 2 * (m - 1) <= bytes->body.left(), "B1", "the slices are wrong, of bridge",
+          number);
+  while (bridge->cut.size() < m) bridge->cut.push_back(bytes->rational());
+  bridge->cut.push_back(Ratio(Big(1)));
+  for (size_t i = 1; i <= m; ++i)
+    require(compare(bridge->cut[i - 1], bridge->cut[i]) < 0, "B1", "slices do not rise, of bridge",
+            number);
+  for (const std::vector<Ratio>* v : {&k, &bridge->cut})
+    for (const Ratio& x : *v)
+      if (std::max(x.n.bits(), x.d.bits()) > 64) return bridge->net.clear();  // B2 fails
+  const std::vector<Big> matrix = integers_of(k, 9 * 64);
+  std::copy(matrix.begin(), matrix.end(), bridge->matrix);
+}
 void read_hints(MicroFile* file, Bytes* bytes) {  // B1
   require(bytes->body.begins_with("VTMS"), "B1", "another magic number");
-  require(bytes->body.count(7) == file->tiles.size(), "B1", "the file's tiles are",
+  require(bytes->body.count(5) == file->tiles.size(), "B1", "the file's tiles are",
           file->tiles.size());
-  for (MicroTile& tile : file->tiles) {
-    for (Ratio& a : tile.centre) a = bytes->rational();
-    tile.exit = bytes->varint();
-    require(tile.exit < tile.patches.size(), "B1", "the exit is no patch:", tile.exit);
+  require(bytes->body.count(19) == file->bridges.size(), "B1", "the file's bridges are",
+          file->bridges.size());
+  for (MicroTile& tile : file->tiles) read_hint(&tile, bytes);
+  for (size_t i = 0; i < file->bridges.size(); ++i) read_hint(&file->bridges[i], i, bytes);
+}
+void check_costs(const std::vector<MicroBridge>& bridges) {  // B2
+  uint64_t cost = 0;
+  for (const MicroBridge& b : bridges) {
+    require(!b.net.empty(), "B2", "a bridge, its K or its slices have long numbers: bridge",
+            uint64_t(&b - bridges.data()));
+    int64_t h = b.scale.bits();
+    for (const Big& x : b.net) h = std::max(h, x.bits());
+    cost += uint64_t((b.p + 1) * (b.q + 1)) * uint64_t((1 + h) * (1 + h)) / 64;
+    require(cost <= kMostCostOfBridges, "B2", "the numbers of the bridges are too long, cost",
+            cost);
   }
 }
 void check_limits(MicroFile* file) {  // B2
   uint64_t coefficients = 0, bits = 0;
   for (const MicroTile& tile : file->tiles) {
     for (const Ratio& a : tile.centre)
-      require(a.n.sign() > 0 && a.n < a.d && a.d.bits() <= 64, "B2",
+      require(tile.has_boxes || (a.n.sign() > 0 && a.n < a.d && a.d.bits() <= 64), "B2",
               "a tile's centre is not in the open cube, or has long numbers");
     for (const MicroPatch& s : tile.patches) coefficients += s.coefficients_of_g();
   }
@@ -73,25 +118,36 @@ bool reaches(const std::vector<Entity>& cage, const MicroGrid& g, size_t face) {
   return compare(face % 2 == 0 ? b[0] : b.back(), face % 2 == 0 ? t[0] : t.back()) == 0;
 }
 
+CheckedMicro check_micro_body(MicroFile* file, uint64_t file_bytes, const Body& body,
+                              bool with_shells) {
+  Bytes bytes(body);
+  read_hints(file, &bytes);
+  check_limits(file);
+  check_costs(file->bridges);
+  CheckedMicro r;
+  r.faces = check_cells(file->cage, file_bytes, bytes.body).faces;
+  for (MicroTile& tile : file->tiles) {
+    check_surface(&tile);
+    if (tile.has_boxes) check_boxes(tile, file_bytes);
+    if (!tile.has_boxes) check_family(tile);
+    check_caps(&tile);
+  }
+  for (const MicroGrid& g : file->grids) check_cells_of(*file, g, r.faces);
+  MicroNumbers n = check_meetings(*file, r.faces, with_shells);
+  r.shells = std::move(n.first);
+  check_bridges(*file, r.faces, n.is_meeting);
+  r.numbers = {{"cells", file->cells},
+               {"tiles", file->kept},
+               {"bridges", file->bridges.size()},
+               {"glued_caps", n.glued_caps},
+               {"components", n.components},
+               {"shells", n.shells},
+               {"genus", uint64_t(int64_t(n.shells) - n.chi)}};
+  return r;
+}
+
 std::string check_micro(const Statement& s, std::string model, const Body& body) {
   MicroFile file = read_micro(model);
   model = std::string();
-  Bytes bytes(body);
-  read_hints(&file, &bytes);
-  check_limits(&file);
-  const std::vector<FaceCode> faces =
-      check_cells(file.cage, s.number.at("subject_bytes"), bytes.body).faces;
-  for (MicroTile& tile : file.tiles) {
-    check_surface(&tile);
-    check_family(tile);
-    check_caps(&tile);
-  }
-  for (const MicroGrid& g : file.grids) check_cells_of(file, g, faces);
-  const MicroNumbers n = check_meetings(file, faces);
-  return compared(s, {{"cells", file.cells},
-                      {"tiles", file.kept},
-                      {"glued_caps", n.glued_caps},
-                      {"components", n.components},
-                      {"shells", n.shells},
-                      {"genus", uint64_t(int64_t(n.shells) - n.chi)}});
+  return compared(s, check_micro_body(&file, s.number.at("subject_bytes"), body, false).numbers);
 }

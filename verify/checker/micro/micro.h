@@ -6,6 +6,7 @@
 #include "../vmodel/vmodel.h"
 
 const uint64_t kMostMicroCells = uint64_t(1) << 27, kMostWallPairs = 1 << 24;
+const int64_t kMostBridgeBits = 8192;  // of its coordinates, as integers with a common denominator
 const uint32_t kNoCap = 0xffffffff, kWholeNumber = 1 << 20;  // t = 1 has the number kWholeNumber
 
 struct MicroPatch {
@@ -33,6 +34,8 @@ struct MicroTile {
   bool has_range = false;
   uint32_t lo = 0, hi = 0;
   std::vector<MicroPatch> patches;
+  bool has_boxes = false;  // it is proved by star boxes: these bytes; otherwise as a family
+  Body boxes = {nullptr, nullptr};
   Ratio centre[3];
   uint64_t exit = 0;
   // Filled by check_tile.
@@ -66,6 +69,11 @@ struct MicroGrid {
   }
   uint64_t cells() const { return uint64_t(n[0]) * n[1] * n[2]; }
   uint64_t cell(const size_t* i) const { return (uint64_t(i[0]) * n[1] + i[1]) * n[2] + i[2]; }
+  void place_of(uint64_t number, size_t* i) const {  // of a cell with this number
+    i[2] = size_t(number % n[2]);
+    i[1] = size_t(number / n[2] % n[1]);
+    i[0] = size_t(number / n[2] / n[1]);
+  }
   // The number of a wall of cell i; 0 if no tile has a range.
   uint32_t number(const size_t* i, size_t wall) const {
     const size_t a = wall / 2;
@@ -86,10 +94,27 @@ void each_tile(const MicroGrid& g, Use use) {
         if (g.tile[number] != 0) use(static_cast<const size_t*>(i), number, g.tile[number] - 1);
 }
 
+struct MicroBridge {
+  size_t grid = 0;
+  uint64_t cell = 0, volume = 0;  // the cell's number in the grid
+  size_t wall = 0;
+  int p = 0, q = 0;
+  std::vector<Big>
+      net;        // x, y, z times `scale`, the third axis fastest; none: the numbers are too long
+  Big scale;      // > 0
+  Big matrix[9];  // K of section 7, times a positive number
+  std::vector<Ratio> cut;  // s_0 = 0 to s_m = 1
+
+  size_t at(int i, int j, int list) const {
+    return ((size_t(i) * size_t(q + 1) + size_t(j)) * 3 + size_t(list)) * 3;
+  }
+};
+
 struct MicroFile {
   std::vector<Entity> cage;
   std::vector<MicroGrid> grids;
   std::vector<MicroTile> tiles;
+  std::vector<MicroBridge> bridges;
   uint64_t cells = 0, kept = 0;  // of all grids; those that hold a tile
 };
 // Whether the grid reaches this face of its volume.
@@ -116,13 +141,38 @@ MicroPatch at_number(const MicroPatch& patch, uint32_t k);
 // Bernstein coefficients, stride apart, become those of powers.
 void to_powers_of_line(std::vector<Big>* v, size_t first, size_t stride, size_t count);
 
-void check_surface(MicroTile* tile);       // S0
-void check_family(const MicroTile& tile);  // F1, F2
-void check_caps(MicroTile* tile);          // T2, T3; then the caps and pieces are known
+void check_surface(MicroTile* tile);                           // S0
+void check_family(const MicroTile& tile);                      // F1, F2
+void check_boxes(const MicroTile& tile, uint64_t file_bytes);  // F3
+void check_caps(MicroTile* tile);  // T2, T3; then the caps and pieces are known
 
-// T4 and what section 7 counts.
+// The descents of F2 for a patch of one list: nodes are dropped whose boxes miss the closed box from lo to hi. The
+// condition `id` fails if a limit is exceeded; *visited: the nodes so far, of all patches; number: of this one.
+void check_missed(const MicroPatch& still, const Ratio* lo, const Ratio* hi, const char* id,
+                  uint64_t number, int* visited);
+
+struct PatchOfCell {
+  uint32_t grid, patch;
+  uint64_t cell;  // its number in the grid
+};
+// T4 and what section 8 counts.
 struct MicroNumbers {
   uint64_t glued_caps = 0, components = 0, shells = 0;
-  int64_t chi = 0;  // of N
+  int64_t chi = 0;                 // of N
+  std::vector<bool> is_meeting;    // of each bridge: whether a cap in its wall is equal to another
+  std::vector<PatchOfCell> first;  // of each shell, if that was asked for: its first patch
 };
-MicroNumbers check_meetings(const MicroFile& file, const std::vector<FaceCode>& faces);
+MicroNumbers check_meetings(const MicroFile& file, const std::vector<FaceCode>& faces,
+                            bool with_shells);
+// R1 to R4.
+void check_bridges(const MicroFile& file, const std::vector<FaceCode>& faces,
+                   const std::vector<bool>& is_meeting);
+
+// The conditions of section 2 to 7 for a body about a file of so many bytes. The result are the numbers of section 8.
+struct CheckedMicro {
+  std::vector<FaceCode> faces;
+  std::map<std::string, uint64_t> numbers;
+  std::vector<PatchOfCell> shells;  // if that was asked for: their first patches
+};
+CheckedMicro check_micro_body(MicroFile* file, uint64_t file_bytes, const Body& body,
+                              bool with_shells);

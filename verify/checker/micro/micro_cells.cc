@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// micro_cells.cc: which walls of cells meet, T4 for all of them, and the numbers of section 7 of
+// micro_cells.cc: which walls of cells meet, T4 for all of them, and the numbers of section 8 of
 // docs/certificates/microstructure.md.
 #include <array>
 
@@ -82,7 +82,28 @@ class Meetings {
               nodes_->unite(node_of_cap(cell, tile, c), first_node_[cell] + piece);
       });
     for (uint32_t i = 0; i < nodes_->parent.size(); ++i) out_.shells += nodes_->parent[i] == i;
+    for (const MicroBridge& b : file_.bridges) out_.is_meeting.push_back(is_meeting(b));
     return out_;
+  }
+  // A class's least node belongs to its first cell.
+  std::vector<PatchOfCell> first_patches() {
+    std::vector<PatchOfCell> r;
+    std::vector<bool> is_found(nodes_->parent.size());
+    for (const MicroGrid& g : file_.grids)
+      each_tile(g, [&](const size_t*, uint64_t number, size_t t) {
+        const uint64_t cell = g.first_cell + number;
+        const MicroTile& tile = file_.tiles[t];
+        for (uint32_t s = 0; s < tile.patches.size(); ++s) {
+          const uint64_t node = tile.cap[s] == kNoCap ? first_node_[cell] + tile.piece[s]
+                                                      : node_of_cap(cell, tile, tile.cap[s]);
+          if (is_taken(node)) continue;
+          const uint32_t root = nodes_->find(uint32_t(node));
+          if (!is_found[root])
+            r.push_back(PatchOfCell{uint32_t(&g - file_.grids.data()), s, number});
+          is_found[root] = true;
+        }
+      });
+    return r;
   }
 
  private:
@@ -90,6 +111,14 @@ class Meetings {
     return first_node_[cell] + tile.pieces + cap;
   }
   bool is_taken(uint64_t node) const { return nodes_->parent[node] == kTaken; }
+  bool is_meeting(const MicroBridge& b) const {
+    const MicroGrid& g = file_.grids[b.grid];
+    const MicroTile& tile = file_.tiles[g.tile[b.cell] - size_t(1)];
+    for (size_t c = 0; c < tile.caps.size(); ++c)
+      if (tile.caps[c].wall == b.wall && is_taken(node_of_cap(g.first_cell + b.cell, tile, c)))
+        return true;
+    return false;
+  }
 
   // Walls of cells i of grid a and j of grid b.
   void meet(const MicroGrid& a, const size_t* i, size_t wall_a, const MicroGrid& b, const size_t* j,
@@ -227,8 +256,11 @@ class Meetings {
 
 }  // namespace
 
-MicroNumbers check_meetings(const MicroFile& file, const std::vector<FaceCode>& faces) {
+MicroNumbers check_meetings(const MicroFile& file, const std::vector<FaceCode>& faces,
+                            bool with_shells) {
   Meetings meetings(file, faces);
   meetings.meet_all();
-  return meetings.numbers();
+  MicroNumbers r = meetings.numbers();
+  if (with_shells) r.first = meetings.first_patches();
+  return r;
 }

@@ -1,35 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // micro_reader.cc: files of docs/formats/micro-files.md.
-#include "../patches/json_reader.h"
-#include "micro.h"
+#include "micro_reader.h"
 
 namespace {
 
 const size_t kMostVolumes = 4096, kMostGrids = 4096, kMostTiles = 15, kMostPatches = 1024;
 const int64_t kMostMicroDegree = 7, kMostCoordinateBits = 128;
 
-struct MicroReader : JsonReader {
-  MicroReader(const std::string& text, size_t* begin) : JsonReader(text, begin) {}
-  MicroFile out;
+struct MicroReader : MicroParts {
+  MicroReader(const std::string& text, size_t* begin) : MicroParts(text, begin) {}
 
-  template <class Item>
-  void short_list(size_t most, const char* why, Item item) {  // item(its number)
-    size_t i = 0;
-    list([&] {
-      expect(i < most, why);
-      item(i++);
-    });
-  }
-  int64_t integer_in(int64_t least, int64_t most) {
-    const int64_t v = integer();
-    expect(v >= least && v <= most, "an integer is out of range");
-    return v;
-  }
-  bool take_null() {
-    if (next() != 'n') return false;
-    expect(word() == "null", "expected null");
-    return true;
-  }
   uint32_t number_of_wall() {  // a file has millions
     uint32_t v = 0;
     size_t end = at;
@@ -131,21 +111,8 @@ struct MicroReader : JsonReader {
         short_list(2, "a patch has two degrees",
                    [&](size_t i) { (i == 0 ? s.p : s.q) = int(integer_in(1, kMostMicroDegree)); });
       if (key != 2) return;
-      short_list(4, "more than four lists of points", [&](size_t) {
-        lengths.push_back(0);
-        short_list(64, "too many points", [&](size_t) {
-          ++lengths.back();
-          size_t components = 0;
-          short_list(3, "a point has not three coordinates", [&](size_t) {
-            s.points.push_back(read_number(string()));
-            const Ratio& x = s.points.back();
-            expect(std::max(x.n.bits(), x.d.bits()) <= kMostCoordinateBits,
-                   "a coordinate has numbers of 2^128 or more");
-            ++components;
-          });
-          expect(components == 3, "a point has not three coordinates");
-        });
-      });
+      short_list(4, "more than four lists of points",
+                 [&](size_t) { lengths.push_back(points(64, kMostCoordinateBits, &s.points)); });
     });
     expect(s.q > 0, "a patch has two degrees");
     s.lists = lengths.size();
@@ -248,8 +215,10 @@ struct MicroReader : JsonReader {
 
   void file() {
     size_t expected = 0;
-    object({"format", "model", "cage", "grids", "tiles", "cells", "walls"}, [&](size_t key) {
-      expect(key == expected++, "the keys of the file are in another order");
+    const auto member = [&](size_t key) {
+      expect(key == expected || (key == 8 && expected == 7),
+             "a key is missing, or the keys of the file are in another order");
+      expected = key + 1;
       if (key == 0) expect(string() == "veritope-micro-1", "unknown format");
       if (key == 1) model();
       if (key == 2) {
@@ -267,7 +236,11 @@ struct MicroReader : JsonReader {
       }
       if (key == 5) cells();
       if (key == 6) walls();
-    });
+      if (key == 7) bridges();
+      if (key == 8) materials();
+    };
+    object({"format", "model", "cage", "grids", "tiles", "cells", "walls", "bridges", "materials"},
+           member, 2);
     expect(next() == '\0' && at == text.size(), "something follows the file's object");
   }
 };

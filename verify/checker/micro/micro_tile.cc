@@ -155,23 +155,6 @@ void halve_patch(const MicroPatch& s, bool along_v, MicroPatch* lower, MicroPatc
       }
     }
 }
-void check_missed(const MicroPatch& still, const Ratio* lo, const Ratio* hi, uint64_t number,
-                  int* visited) {
-  std::vector<StillNode> nodes(1, StillNode{still, 0});
-  while (!nodes.empty()) {
-    require(++*visited <= kMostNodes, "F2", "the descents take too many nodes, in patch", number);
-    const StillNode node = std::move(nodes.back());
-    nodes.pop_back();
-    if (misses_box(node.s, lo, hi)) continue;
-    require(node.level < kMostLevel, "F2", "the patch may meet the segment, patch", number);
-    StillNode half[2];
-    halve_patch(node.s, node.level % 2 == 1, &half[0].s, &half[1].s);
-    for (StillNode& h : half) {
-      h.level = node.level + 1;
-      nodes.push_back(std::move(h));
-    }
-  }
-}
 void check_winding(const MicroTile& tile) {  // F2
   const MicroPatch& exit = tile.patches[tile.exit];
   require(exit.p == 1 && exit.q == 1, "F2", "the exit has not the degrees (1, 1): patch",
@@ -197,11 +180,29 @@ void check_winding(const MicroTile& tile) {  // F2
     lo[axis] = Ratio(Big(0));
   int visited = 0;
   for (uint64_t s = 0; s < tile.patches.size(); ++s)
-    if (s != tile.exit) check_missed(at_number(tile.patches[s], tile.lo), lo, hi, s, &visited);
+    if (s != tile.exit)
+      check_missed(at_number(tile.patches[s], tile.lo), lo, hi, "F2", s, &visited);
 }
 
 }  // namespace
 
+void check_missed(const MicroPatch& still, const Ratio* lo, const Ratio* hi, const char* id,
+                  uint64_t number, int* visited) {
+  std::vector<StillNode> nodes(1, StillNode{still, 0});
+  while (!nodes.empty()) {
+    require(++*visited <= kMostNodes, id, "the descents take too many nodes, in patch", number);
+    const StillNode node = std::move(nodes.back());
+    nodes.pop_back();
+    if (misses_box(node.s, lo, hi)) continue;
+    require(node.level < kMostLevel, id, "the patch may meet the segment or box, patch", number);
+    StillNode half[2];
+    halve_patch(node.s, node.level % 2 == 1, &half[0].s, &half[1].s);
+    for (StillNode& h : half) {
+      h.level = node.level + 1;
+      nodes.push_back(std::move(h));
+    }
+  }
+}
 void put_text(const Big& x, std::string* to) {
   const uint64_t head = 2 * x.m.size() + x.neg;
   to->append(reinterpret_cast<const char*>(&head), 8);

@@ -53,9 +53,9 @@ struct JsonReader {
     while (take_if(','));
     take(']');
   }
-  // Calls value(i) to read the value of keys[i].
+  // Calls value(i) to read the value of keys[i]. The last `optional` keys may be missing.
   template <class Value>
-  void object(std::initializer_list<const char*> keys, Value value) {
+  void object(std::initializer_list<const char*> keys, Value value, size_t optional = 0) {
     uint64_t seen = 0;  // a bit for each key
     take('{');
     if (next() != '}') do {
@@ -68,7 +68,8 @@ struct JsonReader {
         value(i);
       } while (take_if(','));
     take('}');
-    expect(seen + 1 == uint64_t(1) << keys.size(), "a key is missing");
+    const uint64_t required = (uint64_t(1) << (keys.size() - optional)) - 1;
+    expect((seen & required) == required, "a key is missing");
   }
 
  private:

@@ -113,15 +113,12 @@ int64_t key_below(Nat n, Nat d, int64_t twos, bool* exact) {
   return std::min(key, kInfinity - 1);
 }
 
-Coordinate of_key(int64_t key) {
-  Coordinate c;
-  c.below = c.above = key;
-  c.d = Nat(1, 1);
-  c.n.m = {uint32_t(key_mantissa(key)), uint32_t(key_mantissa(key) >> 32)};
-  drop_zeros(&c.n.m);
-  c.n.neg = key < 0;
-  c.twos = key_exponent(key) - 1075;
-  return c;
+// Fills in the keys of a number that is not 0.
+void find_keys(Coordinate* c) {
+  bool exact = false;
+  c->below = key_below(c->n.m, c->d, c->twos, &exact);
+  c->above = exact ? c->below : c->below + 1;
+  if (c->n.neg) c->below = -c->below, c->above = -c->above, std::swap(c->below, c->above);
 }
 
 }  // namespace
@@ -136,13 +133,13 @@ bool is_coordinate(const std::string& word, bool nearest) {
 
 Coordinate coordinate(const std::string& word, bool nearest) {
   int64_t key = 0;
-  if (nearest && decimal_to_key(word, &key)) return of_key(key);
+  if (nearest && decimal_to_key(word, &key)) return coordinate_of(key);
   Token token;
   read_token(word, &token);
   const bool hex = token.kind == Token::kHex;
   Coordinate c;
   c.n.m = natural(token.digits, hex);
-  if (c.n.m.empty()) return of_key(0);
+  if (c.n.m.empty()) return coordinate_of(0);
   c.n.neg = token.neg;
   c.d = token.kind == Token::kFraction ? natural(token.denominator, false) : Nat(1, 1);
   c.twos = token.exponent;
@@ -150,9 +147,23 @@ Coordinate coordinate(const std::string& word, bool nearest) {
     multiply_by_fives(&c.n.m, token.exponent);
     multiply_by_fives(&c.d, -token.exponent);
   }
-  bool exact = false;
-  c.below = key_below(c.n.m, c.d, c.twos, &exact);
-  c.above = exact ? c.below : c.below + 1;
-  if (token.neg) c.below = -c.below, c.above = -c.above, std::swap(c.below, c.above);
+  find_keys(&c);
+  return c;
+}
+Coordinate coordinate_of(int64_t key) {
+  Coordinate c;
+  c.below = c.above = key;
+  c.d = Nat(1, 1);
+  c.n.m = {uint32_t(key_mantissa(key)), uint32_t(key_mantissa(key) >> 32)};
+  drop_zeros(&c.n.m);
+  c.n.neg = key < 0;
+  c.twos = key_exponent(key) - 1075;
+  return c;
+}
+Coordinate coordinate_of(const Integer& n, const Nat& d) {
+  if (n.m.empty()) return coordinate_of(0);
+  Coordinate c;
+  c.n = n, c.d = d, c.twos = 0;
+  find_keys(&c);
   return c;
 }

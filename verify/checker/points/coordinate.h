@@ -16,3 +16,6 @@ struct Coordinate {
 bool is_coordinate(const std::string& word, bool nearest);
 // REQUIRES is_coordinate(word, nearest).
 Coordinate coordinate(const std::string& word, bool nearest);
+// These numbers: of a finite binary64 number's key; n / d, d > 0.
+Coordinate coordinate_of(int64_t key);
+Coordinate coordinate_of(const Integer& n, const Nat& d);

@@ -186,7 +186,7 @@ void MeshPoints::search(const Range& r, const Point& q, int direction, const Vis
       q.below[s] < n.max[s] &&
       (direction % 2 == 0 ? q.above[u] <= n.max[u] : n.min[u] <= q.below[u]);
   if (!may_contain && !may_be_stabbed) return;
-  if (r.size() == 1) return visit(&tree_.corners[3 * size_t(r.lo)], may_contain, may_be_stabbed);
+  if (r.size() == 1) return visit(r.lo, may_contain, may_be_stabbed);
   search(r.left(), q, direction, visit);
   search(r.right(), q, direction, visit);
 }
@@ -194,20 +194,40 @@ void MeshPoints::search(const Range& r, const Point& q, int direction, const Vis
 MeshPoints::Winding MeshPoints::winding(const Point& q, int direction, bool units_matter_only,
                                         Work* work) const {
   Winding r = {false, 0};
-  const auto visit = [&](const uint32_t* t, bool may_contain, bool may_be_stabbed) {
+  const auto visit = [&](uint32_t place, bool may_contain, bool may_be_stabbed) {
     work->add(1);
     if (units_matter_only || r.is_on) return;
-    const int found = ask({q,
-                           {key(t[0]), key(t[1]), key(t[2])},
-                           may_contain,
-                           may_be_stabbed,
-                           direction / 2,
-                           direction % 2 == 0});
+    const int found = ask_of(place, q, direction, may_contain, may_be_stabbed);
     r.is_on = found == kOn;
     r.sum += found;
   };
   search(tree_.root(), q, direction, visit);
   return r;
+}
+std::map<uint32_t, int64_t> MeshPoints::windings(const Point& q, int direction,
+                                                 const std::vector<uint32_t>& of_face, Work* work,
+                                                 bool* is_on) const {
+  std::map<uint32_t, int64_t> sums, r;
+  *is_on = false;
+  search(tree_.root(), q, direction, [&](uint32_t place, bool may_contain, bool may_be_stabbed) {
+    work->add(1);
+    const int found = ask_of(place, q, direction, may_contain, may_be_stabbed);
+    *is_on = *is_on || found == kOn;
+    if (found != 0) sums[of_face[tree_.order[place]]] += found;
+  });
+  for (const auto& sum : sums)
+    if (sum.second != 0 && !*is_on) r.insert(sum);
+  return r;
+}
+int MeshPoints::ask_of(uint32_t place, const Point& q, int direction, bool may_contain,
+                       bool may_be_stabbed) const {
+  const uint32_t* const t = &tree_.corners[3 * size_t(place)];
+  return ask({q,
+              {key(t[0]), key(t[1]), key(t[2])},
+              may_contain,
+              may_be_stabbed,
+              direction / 2,
+              direction % 2 == 0});
 }
 
 template <class Visit>

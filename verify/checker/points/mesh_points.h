@@ -34,6 +34,11 @@ class MeshPoints {
   };
   // Adds the units of section 5. If only they matter there is no answer.
   Winding winding(const Point& q, int direction, bool units_matter_only, Work* work) const;
+  // The winding numbers of classes of triangles, those that are not 0; of_face: the class of each triangle. None if the
+  // point is on a triangle; then *is_on. Adds the same units.
+  std::map<uint32_t, int64_t> windings(const Point& q, int direction,
+                                       const std::vector<uint32_t>& of_face, Work* work,
+                                       bool* is_on) const;
   // All triangles on which the point lies. Adds a unit for each triangle whose box holds it.
   std::vector<uint32_t> triangles_at(const Point& q, Work* work) const;
 
@@ -42,6 +47,8 @@ class MeshPoints {
   void search(const Range& r, const Point& q, int direction, const Visit& visit) const;
   template <class Visit>
   void search_boxes(const Range& r, const Point& q, const Visit& visit) const;
+  int ask_of(uint32_t place, const Point& q, int direction, bool may_contain,
+             bool may_be_stabbed) const;
   const int64_t* key(uint32_t v) const { return &model_.key[3 * size_t(v)]; }
 
   const Model& model_;

@@ -8,7 +8,7 @@ from ..patches.star_box_read import Body
 
 MAGIC, MAX_COEFFICIENTS, MAX_BITS = b"VTMS", 1 << 18, 64
 MAX_PATCH_BITS, MAX_WORK, MAX_BRIDGE_WORK = 4096, 1 << 27, 1 << 36
-MAX_BRIDGE_BITS = 1 << 18                                   # more cost more than MAX_BRIDGE_WORK
+MAX_BRIDGE_BITS = 8192
 
 class Star:
     """Proof 0: the tile is star-shaped about the centre; exit: a number of a patch."""
@@ -79,4 +79,5 @@ def bits_of(points, most):
 
 def cost_of(bridge):
     p, q = bridge.degrees
-    return (p + 1) * (q + 1) * (1 + bits_of(bridge.points, MAX_BRIDGE_BITS)) ** 2 >> 6
+    bits = bits_of(bridge.points, MAX_BRIDGE_BITS)
+    return (p + 1) * (q + 1) * (1 + bits) ** 2 >> 6 if bits <= MAX_BRIDGE_BITS else MAX_BRIDGE_WORK + 1

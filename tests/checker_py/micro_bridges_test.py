@@ -201,10 +201,13 @@ class BridgesTest(Judged):
 
     def test_bridges_of_long_numbers(self):
         plan = self.bar()
-        primes = iter([p for p in range(10 ** 6, 10 ** 6 + 500) if all(p % d for d in range(2, 1001))])
         bridge = plan.bridges[0]
-        long = bridge.changed(points={at: tuple(c + Q(1, next(primes) ** 110) if at[2] == 2 else c for c in p) for at, p in bridge.points.items()})
-        self.judged("ACCEPT", plan.changed(bridges=[long]))
+
+        def long(power):  # prime denominators, so that they have no common one that is short
+            primes = iter([p for p in range(10 ** 6, 10 ** 6 + 500) if all(p % d for d in range(2, 1001))])
+            return bridge.changed(points={at: tuple(c + Q(1, next(primes) ** power) if at[2] == 2 else c for c in p) for at, p in bridge.points.items()})
+        self.judged("ACCEPT", plan.changed(bridges=[long(33)]))
+        self.judged("B2", plan.changed(bridges=[long(35)]))
         self.judged("ERROR", plan.changed(bridges=[bridge.moved(2, lambda p: (p[0] + Q(1, 3 ** 1460), *p[1:]))]))
 
     def test_forbidden_files_are_refused(self):

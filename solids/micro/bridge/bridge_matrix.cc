@@ -278,9 +278,29 @@ std::optional<BridgeMatrix> find_bridge_matrix(const MicroBridge& bridge) {
 }
 
 bool has_positive_determinants(const MicroBridge& bridge) {
+  constexpr int kSamples = 4;  // parts of each axis
   const std::vector<Matrix<double>> all = approx_jacobians(bridge);
-  return std::all_of(all.begin(), all.end(),
-                     [](const Matrix<double>& j) { return determinant(j) > 0; });
+  const std::array<int, 3> degrees = {bridge.degrees[0], bridge.degrees[1], kBridgeAxisDegree};
+  const auto weight = [](int degree, int i, double t) {
+    double out = 1;
+    for (int k = 1; k <= i; ++k) out *= t * (degree - i + k) / k;
+    return out * std::pow(1 - t, degree - i);
+  };
+  const Grid<3> samples{{kSamples + 1, kSamples + 1, kSamples + 1}};
+  const Grid<3> grid = BezierVolume<double>(degrees, 1, false).grid();
+  for (std::size_t n = 0; n < samples.count(); ++n) {
+    const auto at = samples.index_of(n);
+    Matrix<double> sum{};
+    for (std::size_t i = 0; i < grid.count(); ++i) {
+      const auto index = grid.index_of(i);
+      double w = 1;
+      for (std::size_t a = 0; a < 3; ++a)
+        w *= weight(degrees[a], static_cast<int>(index[a]), static_cast<double>(at[a]) / kSamples);
+      for (std::size_t k = 0; k < 9; ++k) sum[k] += w * all[i][k];
+    }
+    if (!(determinant(sum) > 0)) return false;
+  }
+  return true;
 }
 
 }  // namespace veritope

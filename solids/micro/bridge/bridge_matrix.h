@@ -21,7 +21,7 @@ bool shows_one_to_one(const BridgeMatrix& matrix, const MicroBridge& bridge);
 /// mean of all J, scaled along the axes, and turns it where a J is against it.
 std::optional<BridgeMatrix> find_bridge_matrix(const MicroBridge& bridge);
 
-/// Whether the determinants of all J are positive in floating point: approximate, for statistics.
+/// Whether the determinant is positive at 125 points of the bridge: approximate, for statistics.
 bool has_positive_determinants(const MicroBridge& bridge);
 
 }  // namespace veritope

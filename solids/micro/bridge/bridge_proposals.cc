@@ -8,13 +8,44 @@
 namespace veritope::internal {
 namespace {
 
-// How much of the cap's size the end has, how far it turns to the surface's tangent plane, and how far it is from the
-// surface, in units of `skin`.
+// Where the end of a bridge is looked for: at the point of the surface that is nearest to a point of the cap's normal,
+// `ahead` times the distance of the surface, or times the arm, from the cap; or along the line of the parameters.
+enum class Aim : std::uint8_t { kDistances, kArms, kLine };
+// The end has `size` times the size of the cap, turns by the part `turn` towards the tangent plane of the surface, and
+// lies at `depth` times the skin from the surface. The second list is `lead` times as far off as in algorithm 4.
 struct EndShape {
-  double size, turn, depth;
+  std::size_t target;
+  double size, turn, depth, lead;
 };
-constexpr std::array<EndShape, 4> kEndShapes = {
-    {{1, 1, 0.25}, {0.75, 0.75, 0.5}, {0.5, 1, 0.125}, {0.5, 0.5, 0.625}}};
+struct Target {
+  Aim aim;
+  double ahead;
+};
+// The first one is that of algorithm 4, with `ahead` = alpha.
+constexpr std::array<Target, kBridgeTargets> kTargets = {{{Aim::kDistances, 0},
+                                                          {Aim::kArms, 0.3},
+                                                          {Aim::kArms, 0.7},
+                                                          {Aim::kArms, 1.2},
+                                                          {Aim::kArms, 2},
+                                                          {Aim::kLine, 0}}};
+constexpr std::array<EndShape, kBridgeTries> kEndShapes = {{
+    {0, 1, 1, 0.25, 1},
+    {2, 1, 1, 0.25, 1},
+    {5, 1, 1, 0.25, 1},
+    {3, 1, 1, 0.25, 1},
+    {0, 0.6, 1, 0.25, 1},
+    {1, 0.6, 1, 0.25, 0.6},
+    {2, 0.6, 0.8, 0.4, 1},
+    {3, 0.6, 0.8, 0.4, 1},
+    {5, 0.6, 0.6, 0.4, 1},
+    {4, 0.7, 0.8, 0.4, 1},
+    {0, 0.4, 1, 0.2, 0.6},
+    {1, 0.4, 0.7, 0.4, 0.4},
+    {2, 0.4, 0.5, 0.4, 0.6},
+    {3, 0.4, 0.5, 0.4, 1},
+    {5, 0.4, 0.3, 0.6, 0.6},
+    {2, 0.25, 0, 0.6, 0.6},
+}};
 constexpr int kMostMarchSteps = 32;
 
 Point3d sum_of(const Point3d& a, double k, const Point3d& b) {
@@ -114,61 +145,60 @@ SkinPoint BridgeProposals::project(const Point3d& p) const {
   return out;
 }
 
-std::optional<BridgeProposals::End> BridgeProposals::find_end(Target target) const {
-  Point3d from = start_->image;
-  const double beta = target == Target::kOfPaper ? options_.alpha : 1.25;
-  if (target == Target::kOfPaper || target == Target::kFartherOff)
-    from = sum_of(from, beta * distance_, normal_);
-  if (target == Target::kAlongAxis || target == Target::kAhead) {
-    // Ahead along the parameter line, or along the normal, as far as the distance allows.
-    const double least = options_.skin / 16;
-    double distance = distance_;
-    ApproxPlace here = *start_;
-    for (int step = 0; step < kMostMarchSteps && distance > least; ++step) {
-      std::optional<ApproxPlace> next;
-      if (target == Target::kAlongAxis) {
-        Point3d to = here.at;
-        const double length = size_of(here.partial[cap_.front.axis]);
-        to[cap_.front.axis] += (cap_.front.is_upward ? 1 : -1) * 0.9 * distance / length;
-        next = space_.place(to);
-      } else {
-        next = space_.preimage(sum_of(here.image, 0.9 * distance, normal_), here.at);
-      }
-      if (!next) return std::nullopt;
-      here = *next;
-      distance =
-          std::sqrt(nearest_double(projection_.project(exact_point(here.image)).squared_distance));
-    }
-    from = here.image;
+std::optional<BridgeProposals::End> BridgeProposals::find_end(std::size_t target) const {
+  const Target& to = kTargets[target];
+  const double ahead = to.aim == Aim::kArms ? to.ahead * cap_.arm : options_.alpha * distance_;
+  Point3d from = sum_of(start_->image, ahead, normal_);
+  if (to.aim == Aim::kLine) {
+    const auto here = end_of_line();
+    if (!here) return std::nullopt;
+    from = *here;
   }
   const SkinPoint skin = project(from);
   End out{skin.at, skin.normal, size_of(sum_of(skin.at, -1, start_->image))};
-  if (target == Target::kOfPaper) out.reach = distance_;
+  if (target == 0) out.reach = distance_;
   return out;
 }
 
-std::optional<BridgeProposals::End> BridgeProposals::end_of(Target target) {
-  auto& known = ends_[static_cast<std::size_t>(target)];
+// Steps along the line of the parameters that begins at the cap, each shorter than the distance from the surface.
+std::optional<Point3d> BridgeProposals::end_of_line() const {
+  double distance = distance_;
+  ApproxPlace here = *start_;
+  for (int step = 0; step < kMostMarchSteps && distance > options_.skin / 16; ++step) {
+    Point3d to = here.at;
+    const double length = size_of(here.partial[cap_.front.axis]);
+    to[cap_.front.axis] += (cap_.front.is_upward ? 1 : -1) * 0.9 * distance / length;
+    const std::optional<ApproxPlace> next = space_.place(to);
+    if (!next) return std::nullopt;
+    here = *next;
+    distance =
+        std::sqrt(nearest_double(projection_.project(exact_point(here.image)).squared_distance));
+  }
+  return here.image;
+}
+
+const std::optional<BridgeProposals::End>& BridgeProposals::end_of(std::size_t target) {
+  auto& known = ends_[target];
   if (!known) known = find_end(target);
   return *known;
 }
 
 std::optional<MicroBridge> BridgeProposals::propose(int index) {
   if (!start_) return std::nullopt;
-  const EndShape& how = kEndShapes[static_cast<std::size_t>(index / 4)];
-  const std::optional<End> end = end_of(static_cast<Target>(index % 4));
+  const EndShape& how = kEndShapes[static_cast<std::size_t>(index)];
+  const std::optional<End>& end = end_of(how.target);
   if (!end) return std::nullopt;
   const Point3d goal = sum_of(end->surface, -how.depth * options_.skin, end->normal);
   const auto place = space_.preimage(goal, start_->at);
   if (!place) return std::nullopt;
-  return shape(*end, *place, how.size, how.turn);
+  return shape(*end, *place, how.size, how.turn, how.lead);
 }
 
 MicroBridge BridgeProposals::shape(const End& end, const ApproxPlace& place, double size,
-                                   double turn) const {
+                                   double turn, double lead) const {
   const std::size_t axis = cap_.front.axis;
   const int bits = 24 - std::ilogb(cap_.cell_size);
-  Rational mu = dyadic(options_.alpha * end.reach / size_of(axis_), bits);
+  Rational mu = dyadic(lead * options_.alpha * end.reach / size_of(axis_), bits);
   if (!cap_.front.is_upward) mu.negate();
   MicroBridge out;
   out.cap = cap_.cap;

@@ -15,6 +15,7 @@
 namespace veritope::internal {
 
 inline constexpr int kBridgeTries = 16;
+inline constexpr std::size_t kBridgeTargets = 6;
 
 /// A cap to be bridged, and what is known of it. All numbers are approximate.
 struct OpenCap {
@@ -43,7 +44,6 @@ class BridgeProposals {
   std::optional<MicroBridge> propose(int index);
 
  private:
-  enum class Target { kOfPaper, kAlongAxis, kFartherOff, kAhead };
   struct End {
     Point3d surface{};  ///< near it the bridge ends
     Point3d normal{};
@@ -51,9 +51,11 @@ class BridgeProposals {
   };
 
   SkinPoint project(const Point3d& p) const;
-  std::optional<End> end_of(Target target);
-  std::optional<End> find_end(Target target) const;
-  MicroBridge shape(const End& end, const ApproxPlace& place, double size, double turn) const;
+  const std::optional<End>& end_of(std::size_t target);
+  std::optional<End> find_end(std::size_t target) const;
+  std::optional<Point3d> end_of_line() const;
+  MicroBridge shape(const End& end, const ApproxPlace& place, double size, double turn,
+                    double lead) const;
 
   const TriangleMesh& mesh_;
   const MeshProjection& projection_;
@@ -64,7 +66,7 @@ class BridgeProposals {
   Point3d axis_{};    ///< the image of the axis's direction, beyond the front, in space
   Point3d normal_{};  ///< of the cap, of length 1
   double distance_ = 0;
-  std::array<std::optional<std::optional<End>>, 4> ends_;
+  std::array<std::optional<std::optional<End>>, kBridgeTargets> ends_;
 };
 
 }  // namespace veritope::internal

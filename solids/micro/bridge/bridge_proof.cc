@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "solids/micro/bridge/bridge_front.h"
 #include "solids/micro/bridge/bridge_slices.h"
+#include "solids/micro/bridge_front.h"
 #include "solids/micro/cap_matching.h"
 #include "solids/micro/wall_pairs.h"
 
@@ -93,7 +93,7 @@ class BridgeProver {
     const auto cap = cap_on_front(micro_, cage_, tiles_, bridge.cap, *front);
     if (!cap) return fails("R2", "the patches in its wall are not one cap of one patch");
     if (matched_.contains(bridge.cap)) return fails("R2", "its cap is equal to another one");
-    if (!starts_at(bridge, *cap)) return fails("R2", "it does not start at the cap");
+    if (!start_symmetry(bridge, *cap)) return fails("R2", "it does not start at the cap");
     if (!is_in_open_box(bridge, micro_.cage[bridge.volume], *front))
       return fails("R3",
                    "a point of its lists 1 and 2 is not beyond its wall, or not inside of "

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "solids/classify/mesh_projection.h"
-#include "solids/micro/bridge/bridge_front.h"
 #include "solids/micro/bridge/build_bridges.h"
 #include "solids/micro/bridge/cage_space_internal.h"
+#include "solids/micro/bridge_front.h"
 
 namespace veritope::internal {
 

@@ -11,7 +11,7 @@
 
 #include "interval/box.h"
 #include "robust/base/box3d.h"
-#include "solids/micro/bridge/bridge_front.h"
+#include "solids/micro/bridge_front.h"
 
 namespace veritope {
 

@@ -110,7 +110,7 @@ class BridgeBuilder {
     const std::vector<Rational> middle =
         evaluate<Rational, 2>(*surface, {Rational(1) / Rational(2), Rational(1) / Rational(2)});
     for (std::size_t a = 0; a < 3; ++a) cap.middle[a] = nearest_double(middle[a]);
-    cap.surface = std::move(*surface);
+    cap.surface = turned_beyond(std::move(*surface), *front);
     // The cell's size beyond the front is not known; in a glued volume the own one, in parts of the domain, is taken.
     const auto axis = static_cast<std::size_t>(place.wall / 2);
     const std::size_t index = grid.shape().index_of(place.cell)[axis];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/micro/bridge/bridge_front.h"
+#include "solids/micro/bridge_front.h"
 
 #include <utility>
 #include <vector>
@@ -122,12 +122,16 @@ std::optional<BezierSurface<Rational>> cap_on_front(const Microstructure& micro,
     }
     if (front.is_in_face) p = FaceCrossing(micro, cage, face_at(micro, cap))(p);
   }
-  BezierSurface<Rational> out = surface_through(patch.degrees, points);
-  const bool is_positive = sign_of_area(out, front.axis) == Sign::kPositive;
-  return is_positive == front.is_upward ? out : swapped(out, 0, 1);
+  return surface_through(patch.degrees, points);
 }
 
-bool starts_at(const MicroBridge& bridge, const BezierSurface<Rational>& cap) {
+BezierSurface<Rational> turned_beyond(BezierSurface<Rational> cap, const BridgeFront& front) {
+  const bool is_positive = sign_of_area(cap, front.axis) == Sign::kPositive;
+  return is_positive == front.is_upward ? cap : swapped(cap, 0, 1);
+}
+
+std::optional<unsigned> start_symmetry(const MicroBridge& bridge,
+                                       const BezierSurface<Rational>& cap) {
   std::vector<TilePoint> row;
   for (int i = 0; i <= bridge.degrees[0]; ++i)
     for (int j = 0; j <= bridge.degrees[1]; ++j) row.push_back(bridge.points[bridge.at(i, j, 0)]);
@@ -137,9 +141,9 @@ bool starts_at(const MicroBridge& bridge, const BezierSurface<Rational>& cap) {
     for (std::size_t axis = 0; axis < 2; ++axis)
       if ((symmetry >> (axis + 1) & 1) != 0) turned = reversed(turned, axis);
     const auto both = to_common_degrees(turned, cap);
-    if (both.first == both.second) return true;
+    if (both.first == both.second) return symmetry;
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace veritope

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "cli/bridge_option.h"
 #include "cli/commands.h"
 #include "cli/output_plan.h"
 #include "cli/progress.h"
@@ -18,6 +19,7 @@
 #include "report/report_text.h"
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
+#include "solids/micro/bridge/build_bridges.h"
 #include "solids/micro/mesh/micro_mesh.h"
 #include "solids/micro/synthesis/cage_around.h"
 #include "solids/micro/synthesis/filter_tiles.h"
@@ -42,7 +44,8 @@ struct MicroOptions {
   std::optional<RealFormula> thickness;
   std::vector<std::pair<std::string, RealFormula>> materials;  // names and formulas
   std::optional<std::string> output, list, mesh, json;
-  std::optional<double> chord;
+  std::optional<double> chord, skin;
+  BridgeChoice bridge;
   bool wants_connected = false;
   std::uint64_t max_tiles = kDefaultMaxTiles;
   ModelReadOptions reading;
@@ -98,8 +101,8 @@ class MicroRun {
     if (const Status status = check_outputs(); !status) return fail(status.error());
     for (const auto step :
          {&MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill, &MicroRun::analyse,
-          &MicroRun::filter, &MicroRun::connect, &MicroRun::find_topology, &MicroRun::add_materials,
-          &MicroRun::make_mesh})
+          &MicroRun::filter, &MicroRun::build, &MicroRun::connect, &MicroRun::find_topology,
+          &MicroRun::add_materials, &MicroRun::make_mesh})
       if (const ExitCode exit = (this->*step)(); exit != kExitValid) return conclude(exit);
     return conclude(write());
   }
@@ -294,9 +297,25 @@ class MicroRun {
     return kExitValid;
   }
 
+  ExitCode build() {
+    if (!solid_ || !options_.bridge.is_wanted) return kExitValid;
+    progress_.phase(*options_.model, "building bridges");
+    Stopwatch watch;
+    BridgeOptions how;
+    how.alpha = options_.bridge.alpha;
+    how.skin = options_.skin ? *options_.skin : default_skin(solid_->mesh);
+    how.jobs = static_cast<unsigned>(options_.reading.jobs);
+    Result<BridgeReport> built = build_bridges(solid_->mesh, *model_, tiles_, how, micro_);
+    if (!built) return refuse(built.error());
+    report_.bridges = std::move(*built);
+    report_.seconds.bridge = watch.lap();
+    return kExitValid;
+  }
+
   ExitCode connect() {
     if (!options_.wants_connected) return kExitValid;
-    auto found = keep_largest_component(*model_, tiles_, micro_);
+    auto found = report_.bridges ? keep_bridged_components(*model_, tiles_, micro_)
+                                 : keep_largest_component(*model_, tiles_, micro_);
     if (const auto* d = std::get_if<MicroDefect>(&found)) return refute_structure(*d);
     floating_ = std::get<0>(std::move(found));
     for (const auto& cells : floating_) report_.floating += cells.size();
@@ -474,6 +493,7 @@ RunCommand declare_micro(OptionSet& set) {
       "--material", "NAME=EXPR",
       [o = o.get()](const std::string& text) { return take_material(text, *o); },
       "a property of the points, from x y z u v w; any number of them");
+  declare_bridge(set, o->bridge, o->skin);
   set.output("-o,--output", o->output, "write the microstructure, .vmicro");
   set.output("--mesh", o->mesh, "write its surface as a mesh, within --chord H of it");
   set.length("--chord", "H", o->chord, "how far the mesh may be from the surface");
@@ -488,6 +508,9 @@ RunCommand declare_micro(OptionSet& set) {
     if (!o->cage) return "--cage is required, a spline file of volumes";
     if (!o->has_tile) return "--tile is required, such as jack";
     if (!o->counts) return "--counts is required, such as 10,10,10";
+    if (const std::string why = o->bridge.fault(o->model.has_value(), o->skin.has_value());
+        !why.empty())
+      return why;
     if (!o->output) return "-o OUT.vmicro is required, the file of the microstructure";
     if (o->mesh.has_value() != o->chord.has_value()) return "--mesh and --chord need each other";
     if (o->mesh && format_from_path(*o->mesh, ModelKind::kMesh) == nullptr)

@@ -23,6 +23,34 @@ Json mesh_of_run_json(const std::optional<MicroRunReport::Mesh>& mesh) {
           {"distance", mesh->distance}};
 }
 
+Json range_of_bridges_json(const BridgeRange& r) {
+  return {{"lo", number_json(r.lo)}, {"hi", number_json(r.hi)}};
+}
+
+Json bridges_json(const std::optional<BridgeReport>& bridges) {
+  if (!bridges) return nullptr;
+  Json dropped;
+  for (std::size_t i = 0; i < kNumBridgeDrops; ++i)
+    dropped[bridge_drop_name(static_cast<BridgeDrop>(i))] = bridges->dropped[i];
+  return {{"caps", bridges->caps},
+          {"built", bridges->built},
+          {"dropped", dropped},
+          {"kink_degrees", range_of_bridges_json(bridges->kink)},
+          {"reach", range_of_bridges_json(bridges->reach)}};
+}
+
+std::string bridges_line(const BridgeReport& bridges) {
+  std::string text = std::to_string(bridges.built) + " of " + counted(bridges.caps, "cap", "caps");
+  bool is_first = true;
+  for (std::size_t i = 0; i < kNumBridgeDrops; ++i) {
+    if (bridges.dropped[i] == 0) continue;
+    text += (is_first ? "; not built: " : ", ") + std::to_string(bridges.dropped[i]) + " " +
+            bridge_drop_name(static_cast<BridgeDrop>(i));
+    is_first = false;
+  }
+  return detail_line("bridges", text);
+}
+
 Json defect_in_run_json(const MicroRunReport::Defect& d) {
   Json cell = nullptr;
   if (d.cell)
@@ -52,6 +80,7 @@ std::string micro_run_json(const MicroRunReport& r) {
                   {"touching", r.touching}, {"outside", r.outside}, {"undecided", r.undecided},
                   {"floating", r.floating}};
   out["kinds"] = r.kinds;
+  out["bridges"] = bridges_json(r.bridges);
   out["components"] = counted_in(&MicroCounts::components);
   out["glued_caps"] = counted_in(&MicroCounts::glued_caps);
   out["genus"] = counted_in(&MicroCounts::genus);
@@ -60,6 +89,7 @@ std::string micro_run_json(const MicroRunReport& r) {
   out["defects"] = std::move(defects);
   out["seconds"] = {{"cage", seconds_json(r.seconds.cage)},
                     {"filter", seconds_json(r.seconds.filter)},
+                    {"bridge", seconds_json(r.seconds.bridge)},
                     {"topology", seconds_json(r.seconds.topology)},
                     {"mesh", seconds_json(r.seconds.mesh)}};
   return dump(out) + "\n";
@@ -68,8 +98,10 @@ std::string micro_run_json(const MicroRunReport& r) {
 std::string micro_run_text(const MicroRunReport& r) {
   if (!r.output || !r.counts) return "";
   std::string text = "wrote  " + unbroken(harmless(r.output->path)) + "  " +
-                     counted(r.kept, "tile", "tiles") + " in " + counted(r.cells, "cell", "cells") +
-                     ", " + counted(r.counts->components, "component", "components") + ", genus " +
+                     counted(r.kept, "tile", "tiles") +
+                     (r.bridges ? ", " + counted(r.bridges->built, "bridge", "bridges") : "") +
+                     " in " + counted(r.cells, "cell", "cells") + ", " +
+                     counted(r.counts->components, "component", "components") + ", genus " +
                      std::to_string(r.counts->genus) + "\n";
   if (r.mesh)
     text += "wrote  " + unbroken(harmless(r.mesh->file.path)) + "  " +
@@ -77,6 +109,7 @@ std::string micro_run_text(const MicroRunReport& r) {
             short_decimal(r.mesh->distance) + " of it\n";
   if (r.floating != 0)
     text += detail_line("floating", counted(r.floating, "tile", "tiles") + " off the largest part");
+  if (r.bridges) text += bridges_line(*r.bridges);
   if (!r.model) return text;
   return text +
          detail_line("cells", std::to_string(r.crossing) + " cross the boundary of the model, " +

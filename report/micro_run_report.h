@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "solids/micro/bridge/build_bridges.h"
 #include "solids/micro/micro_topology.h"
 
 namespace veritope::report {
@@ -31,7 +32,7 @@ struct MicroRunReport {
         0;  ///< proved: no point of it or of the microstructure is farther from the other
   };
   struct Seconds {
-    double cage = 0, filter = 0, topology = 0, mesh = 0;
+    double cage = 0, filter = 0, bridge = 0, topology = 0, mesh = 0;
   };
 
   File cage;
@@ -39,7 +40,8 @@ struct MicroRunReport {
   std::uint64_t cells = 0;
   std::uint64_t kept = 0, crossing = 0, touching = 0, outside = 0, undecided = 0, floating = 0;
   std::uint64_t kinds = 0;
-  std::optional<MicroCounts> counts;  ///< of what was written
+  std::optional<MicroCounts> counts;    ///< of what was written
+  std::optional<BridgeReport> bridges;  ///< nothing if none were to be built
   std::optional<Mesh> mesh;
   std::vector<Defect> defects;
   Seconds seconds;

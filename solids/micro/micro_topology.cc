@@ -54,11 +54,14 @@ class Topology {
       if (++sizes[root] > sizes[largest] || (sizes[root] == sizes[largest] && root < largest))
         largest = root;
     });
-    std::vector<std::vector<std::uint64_t>> out(micro_.grids.size());
-    for_each_tile([&](std::uint32_t g, std::uint64_t c, std::uint32_t root) {
-      if (root != largest) out[g].push_back(c);
-    });
-    return out;
+    return tiles_off([&](std::uint32_t root) { return root == largest; });
+  }
+  // The cells with tiles that are not joined to one with a bridge, by grids. REQUIRES that run() found no defect.
+  std::vector<std::vector<std::uint64_t>> without_bridges() {
+    std::vector<char> is_held(counts_.cells);
+    for (const MicroBridge& b : micro_.bridges)
+      is_held[components_.find(number_of_cell({b.cap.grid, b.cap.cell, 0}))] = 1;
+    return tiles_off([&](std::uint32_t root) { return is_held[root] != 0; });
   }
 
  private:
@@ -68,6 +71,15 @@ class Topology {
     for (std::uint32_t g = 0; g < micro_.grids.size(); ++g)
       for (std::uint64_t c = 0; c < micro_.grids[g].tiles.size(); ++c)
         if (micro_.grids[g].tiles[c] != 0) visit(g, c, components_.find(number_of_cell({g, c, 0})));
+  }
+
+  template <typename Keeps>
+  std::vector<std::vector<std::uint64_t>> tiles_off(Keeps keeps) {
+    std::vector<std::vector<std::uint64_t>> out(micro_.grids.size());
+    for_each_tile([&](std::uint32_t g, std::uint64_t c, std::uint32_t root) {
+      if (!keeps(root)) out[g].push_back(c);
+    });
+    return out;
   }
 
   std::uint32_t number_of_cell(const CellWall& w) const {
@@ -239,15 +251,31 @@ std::variant<MicroCounts, MicroDefect> topology_of(const Microstructure& micro, 
   return Topology(micro, cage, tiles).run();
 }
 
-std::variant<std::vector<std::vector<std::uint64_t>>, MicroDefect> keep_largest_component(
-    const VModel& cage, const std::vector<AnalysedTile>& tiles, Microstructure& micro) {
+namespace {
+
+// `floating` names the cells to be emptied.
+std::variant<std::vector<std::vector<std::uint64_t>>, MicroDefect> empty_cells(
+    const VModel& cage, const std::vector<AnalysedTile>& tiles,
+    std::vector<std::vector<std::uint64_t>> (Topology::*floating)(), Microstructure& micro) {
   Topology topology(micro, cage, tiles);
   auto counts = topology.run();
   if (auto* defect = std::get_if<MicroDefect>(&counts)) return std::move(*defect);
-  std::vector<std::vector<std::uint64_t>> floating = topology.floating();
-  for (std::size_t g = 0; g < floating.size(); ++g)
-    for (const std::uint64_t c : floating[g]) micro.grids[g].tiles[c] = 0;
-  return floating;
+  std::vector<std::vector<std::uint64_t>> out = (topology.*floating)();
+  for (std::size_t g = 0; g < out.size(); ++g)
+    for (const std::uint64_t c : out[g]) micro.grids[g].tiles[c] = 0;
+  return out;
+}
+
+}  // namespace
+
+std::variant<std::vector<std::vector<std::uint64_t>>, MicroDefect> keep_largest_component(
+    const VModel& cage, const std::vector<AnalysedTile>& tiles, Microstructure& micro) {
+  return empty_cells(cage, tiles, &Topology::floating, micro);
+}
+
+std::variant<std::vector<std::vector<std::uint64_t>>, MicroDefect> keep_bridged_components(
+    const VModel& cage, const std::vector<AnalysedTile>& tiles, Microstructure& micro) {
+  return empty_cells(cage, tiles, &Topology::without_bridges, micro);
 }
 
 }  // namespace veritope

@@ -36,4 +36,9 @@ std::variant<MicroCounts, MicroDefect> topology_of(const Microstructure& micro, 
 std::variant<std::vector<std::vector<std::uint64_t>>, MicroDefect> keep_largest_component(
     const VModel& cage, const std::vector<AnalysedTile>& tiles, Microstructure& micro);
 
+/// Empties the cells whose tiles are not joined by equal caps to a tile at which a bridge starts. The rest is as of
+/// keep_largest_component.
+std::variant<std::vector<std::vector<std::uint64_t>>, MicroDefect> keep_bridged_components(
+    const VModel& cage, const std::vector<AnalysedTile>& tiles, Microstructure& micro);
+
 }  // namespace veritope

@@ -8,6 +8,7 @@
 
 #include "io/splines/read_splines.h"
 #include "robust/base/check.h"
+#include "solids/micro/bridge/bridge_proof.h"
 #include "solids/micro/micro_topology.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/certify_kinds_internal.h"
@@ -43,6 +44,7 @@ class MicroCertification {
     if (const auto* defect = std::get_if<MicroDefect>(&topology))
       return undecided(reason_of(*defect));
     facts_.counts = std::get<MicroCounts>(topology);
+    if (auto reason = certify_bridges(*cage)) return undecided(std::move(*reason));
     internal::enter(Phase::kCertifying, options_);
     conclude();
     return std::move(out_);
@@ -132,9 +134,28 @@ class MicroCertification {
     return std::nullopt;
   }
 
+  std::optional<Finding> certify_bridges(const VModel& cage) {
+    auto proof = prove_bridges(micro_, cage, tiles_);
+    if (const auto* d = std::get_if<BridgeDefect>(&proof)) {
+      const CapPlace& cap = micro_.bridges[d->bridge].cap;
+      const CellWall wall{cap.grid, cap.cell, cap.wall};
+      MicroDefect defect{d->condition,
+                         {wall},
+                         "bridge " + std::to_string(d->bridge) + " at wall " +
+                             name_of_wall(micro_, wall) + ": " + d->message};
+      return reason_of(defect, d->condition == std::string("B2") ? "not-covered" : "not-certified");
+    }
+    for (const BridgeWitness& w : std::get<0>(proof)) {
+      certificate::BridgeProof& out = body_.bridges.emplace_back();
+      for (std::size_t i = 0; i < 9; ++i) out.matrix[i] = to_fraction(w.matrix[i]);
+      for (const Rational& s : w.cuts) out.cuts.push_back(to_fraction(s));
+    }
+    return std::nullopt;
+  }
+
   // The finding, with the cells' boxes in the parameters of the cage.
-  Finding reason_of(const MicroDefect& defect) const {
-    Finding out = reason(std::string(defect.condition) + ": " + defect.message);
+  Finding reason_of(const MicroDefect& defect, const char* code = "not-certified") const {
+    Finding out = reason(std::string(defect.condition) + ": " + defect.message, code);
     for (const CellWall& w : defect.walls) {
       const MicroGrid& grid = micro_.grids[w.grid];
       const auto at = grid.shape().index_of(w.cell);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/bridge_option.h: the options of veritope micro that say whether and how bridges are built.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "cli/option_set.h"
+
+namespace veritope::cli {
+
+struct BridgeChoice {
+  bool is_given = false, has_alpha = false;
+  bool is_wanted = true;
+  double alpha = 0.5;
+
+  /// Nothing, or what is wrong, as a sentence.
+  std::string fault(bool has_model, bool has_skin) const;
+};
+
+/// --bridge, --alpha and --skin.
+void declare_bridge(OptionSet& set, BridgeChoice& choice, std::optional<double>& skin);
+
+}  // namespace veritope::cli

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/micro/bridge/bridge_proof.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "solids/micro/bridge/bridge_slices.h"
+#include "solids/micro/bridge_front.h"
+#include "solids/micro/cap_matching.h"
+#include "solids/micro/wall_pairs.h"
+
+namespace veritope {
+namespace {
+
+// B2 of the page.
+constexpr std::uint64_t kMostBridgeCost = std::uint64_t{1} << 36;
+
+std::uint64_t cost_of(const MicroBridge& bridge) {
+  std::uint64_t bits = 0;
+  for (const TilePoint& p : bridge.points)
+    for (const Rational& x : p)
+      bits =
+          std::max<std::uint64_t>({bits, x.numerator().bit_length(), x.denominator().bit_length()});
+  return static_cast<std::uint64_t>((bridge.degrees[0] + 1) * (bridge.degrees[1] + 1)) *
+         (1 + bits) * (1 + bits) / 64;
+}
+
+class BridgeProver {
+ public:
+  BridgeProver(const Microstructure& micro, const VModel& cage,
+               const std::vector<AnalysedTile>& tiles)
+      : micro_(micro), cage_(cage), tiles_(tiles), cells_(micro), disjoint_(micro) {}
+
+  std::variant<std::vector<BridgeWitness>, BridgeDefect> run() {
+    std::uint64_t cost = 0;
+    for (std::size_t b = 0; b < micro_.bridges.size(); ++b) {
+      cost += cost_of(micro_.bridges[b]);
+      if (cost > kMostBridgeCost)
+        return BridgeDefect{"B2", b, "the bridges have too many or too long numbers"};
+    }
+    find_matched_caps();
+    for (std::size_t b = 0; b < micro_.bridges.size(); ++b)
+      if (auto defect = prove(b)) return std::move(*defect);
+    for (std::size_t b = 0; b < micro_.bridges.size(); ++b)
+      if (const auto other = disjoint_.add(std::move(slices_[b])))
+        return BridgeDefect{"R4", b,
+                            "it is not proved disjoint from bridge " + std::to_string(*other)};
+    for (std::size_t b = 0; b < micro_.bridges.size(); ++b) out_[b].cuts = disjoint_[b].cuts();
+    return std::move(out_);
+  }
+
+ private:
+  static CapPlace place_of(const CellWall& w) { return {w.grid, w.cell, w.wall}; }
+
+  // The bridged walls whose caps are equal to another one.
+  void find_matched_caps() {
+    CapMatcher matcher(tiles_);
+    const auto is_bridged = [&](const CellWall& w) {
+      const auto at = std::lower_bound(
+          micro_.bridges.begin(), micro_.bridges.end(), place_of(w),
+          [](const MicroBridge& b, const CapPlace& place) { return b.cap < place; });
+      return at != micro_.bridges.end() && at->cap == place_of(w);
+    };
+    for_each_wall_pair(micro_, cage_, [&](const WallPair& pair) {
+      if (!is_bridged(pair.walls[0]) && !is_bridged(pair.walls[1])) return true;
+      std::array<std::uint32_t, 2> tiles{};
+      std::array<WallNumbers, 2> numbers{};
+      for (std::size_t side = 0; side < 2; ++side) {
+        const MicroGrid& grid = micro_.grids[pair.walls[side].grid];
+        tiles[side] = grid.tiles[pair.walls[side].cell] - 1u;
+        numbers[side] = grid.numbers_of(grid.shape().index_of(pair.walls[side].cell));
+      }
+      if (!matcher.match(pair, tiles, numbers).equal.empty())
+        for (const CellWall& w : pair.walls) matched_.insert(place_of(w));
+      return true;
+    });
+  }
+
+  std::optional<BridgeDefect> prove(std::size_t number) {
+    const MicroBridge& bridge = micro_.bridges[number];
+    const auto fails = [&](const char* condition, std::string message) {
+      return BridgeDefect{condition, number, std::move(message)};
+    };
+    auto matrix = find_bridge_matrix(bridge);
+    if (!matrix) return fails("R1", "no matrix was found that shows that it is one to one");
+    const auto front = front_of(micro_, cage_, bridge.cap);
+    if (!front) return fails("R2", "its wall lies in the border of the cage, or is collapsed");
+    if (front->volume != bridge.volume)
+      return fails("R2", "it lies in volume " + std::to_string(bridge.volume) +
+                             ", but its wall leads to volume " + std::to_string(front->volume));
+    const auto cap = cap_on_front(micro_, cage_, tiles_, bridge.cap, *front);
+    if (!cap) return fails("R2", "the patches in its wall are not one cap of one patch");
+    if (matched_.contains(bridge.cap)) return fails("R2", "its cap is equal to another one");
+    if (!start_symmetry(bridge, *cap)) return fails("R2", "it does not start at the cap");
+    if (!is_in_open_box(bridge, micro_.cage[bridge.volume], *front))
+      return fails("R3",
+                   "a point of its lists 1 and 2 is not beyond its wall, or not inside of "
+                   "the parameters of its volume");
+    BridgeSlices slices(bridge);
+    if (!cut_off_tiles(cells_, bridge.cap, *front, slices))
+      return fails("R3", "it is not proved to miss the cells with tiles");
+    slices_.push_back(std::move(slices));
+    out_.push_back({std::move(*matrix), {}});
+    return std::nullopt;
+  }
+
+  const Microstructure& micro_;
+  const VModel& cage_;
+  const std::vector<AnalysedTile>& tiles_;
+  TileCells cells_;
+  DisjointBridges disjoint_;
+  std::set<CapPlace> matched_;
+  std::vector<BridgeSlices> slices_;
+  std::vector<BridgeWitness> out_;
+};
+
+}  // namespace
+
+std::variant<std::vector<BridgeWitness>, BridgeDefect> prove_bridges(
+    const Microstructure& micro, const VModel& cage, const std::vector<AnalysedTile>& tiles) {
+  return BridgeProver(micro, cage, tiles).run();
+}
+
+Result<std::vector<std::vector<std::uint8_t>>> walls_with_neighbours(const Microstructure& micro,
+                                                                     const VModel& cage) {
+  std::vector<std::vector<std::uint8_t>> out;
+  for (const MicroGrid& grid : micro.grids) out.emplace_back(grid.tiles.size());
+  const bool is_complete = for_each_wall_pair(micro, cage, [&](const WallPair& pair) {
+    for (const CellWall& w : pair.walls)
+      out[w.grid][w.cell] |= static_cast<std::uint8_t>(1u << w.wall);
+    return true;
+  });
+  if (!is_complete)
+    return Error{
+        Code::kOverLimit,
+        {},
+        "more than " + std::to_string(kMaxWallMeetings) + " pairs of walls meet between grids"};
+  return out;
+}
+
+}  // namespace veritope

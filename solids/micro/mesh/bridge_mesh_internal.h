@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/micro/mesh/bridge_mesh_internal.h: bridges in space: where their points are, and how far they are from
+// quadrilaterals. Internal to solids/micro/mesh.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "interval/exact_box.h"
+#include "solids/micro/mesh/cage_cells_internal.h"
+#include "splines/bezier.h"
+
+namespace veritope::internal {
+
+/// How far a bridge may lie from its quadrilaterals if it is cut into n parts along an axis: bend / n^2 + crease / n.
+struct BridgeError {
+  std::array<double, 3> bend{}, crease{};
+};
+
+/// All functions REQUIRE a live ScopedUpward.
+class BridgeMesh {
+ public:
+  /// REQUIRES a bridge in the parameters of the volume.
+  BridgeMesh(const VVolume& volume, const MicroBridge& bridge);
+
+  BridgeError error() const;
+  /// Contains the image of the point with these parameters, in [0, 1].
+  Box3 value(const std::array<Rational, 3>& at) const;
+
+ private:
+  // A box in one knot span, and its map from the unit cube.
+  struct Part {
+    ExactBox<3> box;
+    CellMap map;
+  };
+  MapBounds map_bounds() const;
+  std::array<Interval, 3> derivative_bounds(std::size_t axis, std::size_t order) const;
+
+  BezierVolume<Rational> net_;
+  std::vector<Part> parts_;
+  std::array<bool, 3>
+      has_crease_{};  // by axes of the volume: the map may have one inside of the box
+};
+
+}  // namespace veritope::internal

@@ -17,8 +17,10 @@ namespace veritope::internal {
 namespace {
 
 constexpr std::size_t kMostNodes = 2048;  // of a bridge; the page has 4096
-constexpr int kMostLevel = 22;            // the page has 24
-constexpr double kWorth = 1 + 0x1p-7;     // a bound that is nearer to the least one is not improved
+// The page has 2^22 nodes, and 256 more for each bridge.
+constexpr std::size_t kAllSkinNodes = std::size_t{1} << 21, kMoreNodes = 128;
+constexpr int kMostLevel = 22;         // the page has 24
+constexpr double kWorth = 1 + 0x1p-7;  // a bound that is nearer to the least one is not improved
 
 // A part of the end face of a bridge, with an upper bound of its points' distances from the surface.
 struct SkinNode {
@@ -86,7 +88,9 @@ class SkinSearch {
     }
     while (nodes_.top().bound > kWorth * least_) {
       const SkinNode top = nodes_.top();
-      if (top.part.level >= kMostLevel || num_nodes_[top.bridge] + 2 > kMostNodes) break;
+      if (top.part.level >= kMostLevel || num_nodes_[top.bridge] + 2 > kMostNodes ||
+          num_all_ > kAllSkinNodes + kMoreNodes * num_nodes_.size())
+        break;
       nodes_.pop();
       auto halves = top.part.halves();
       push(top.bridge, std::move(halves.first));
@@ -114,6 +118,7 @@ class SkinSearch {
     std::vector<std::vector<Box3>> all;
     if (!maps.boxes(part.box(), &all)) bound = HUGE_VAL;
     for (const auto& points : all) bound = std::max(bound, bound_of(points));
+    num_all_ += all.size();
     nodes_.push({bound, bridge, std::move(part)});
   }
 
@@ -165,7 +170,8 @@ class SkinSearch {
   }
 
   const InsideParts& parts_;
-  std::vector<std::size_t> num_nodes_;
+  std::vector<std::size_t> num_nodes_;  // of each bridge
+  std::size_t num_all_ = 0;             // each as often as it has spans
   std::priority_queue<SkinNode, std::vector<SkinNode>, IsNearer> nodes_;
   double least_ = 0;  // approximately no bound is less
 };

@@ -205,6 +205,7 @@ class UnitDescent {
     const auto close_to = [&](const BridgeNode& node, const FacetList& from) {
       std::vector<NodePoints> all;
       if (!maps.points(node.box(), &all)) return from;
+      for (std::size_t i = 1; i < all.size(); ++i) budget_.add_node();
       FacetList out;
       for (const std::uint32_t f : from) {
         bool is_met = false, is_apart = true;

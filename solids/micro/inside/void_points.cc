@@ -14,7 +14,9 @@ namespace veritope::internal {
 
 namespace {
 
-constexpr std::size_t kMaxSources = 64;   // facets of a void near which points are tried
+constexpr std::size_t kMaxSources = 64;  // facets of a void near which points are tried
+// The page lets a checker visit 2^22 nodes, and 64 more for each entry.
+constexpr std::size_t kAllNodes = std::size_t{1} << 21, kNodesOfVoid = 32;
 constexpr std::size_t kMaxNodes = 32768;  // of the descents of F2; the page has 65,536
 constexpr int kMaxExitDepth = 39;         // the page has 40
 constexpr std::size_t kMaxWordBits = 63;  // B2 of the page has 64
@@ -188,9 +190,26 @@ class VoidSearch {
         for (const TilePoint& q : points) c.push_back(q[axis]);
       maps.emplace_back(patches[p].degrees, 3, false, std::move(c));
     }
-    for (std::uint8_t corner = 0; corner < 8; ++corner)
-      if (misses(maps, box_to(u, corner))) return corner;
+    const std::size_t most = std::min(kMaxNodes, left_ + kNodesOfVoid);
+    for (const std::uint8_t corner : corners_near(u)) {
+      std::size_t visited = 0;
+      if (!misses(maps, box_to(u, corner), most, &visited)) continue;
+      left_ -= visited > kNodesOfVoid ? visited - kNodesOfVoid : 0;
+      return corner;
+    }
     return std::nullopt;
+  }
+  // The corners of the cube, those on the nearer sides first.
+  static std::array<std::uint8_t, 8> corners_near(const TilePoint& u) {
+    unsigned nearest = 0;
+    for (std::size_t a = 0; a < 3; ++a)
+      if (Rational(1) < u[a] + u[a]) nearest |= 1u << a;
+    std::array<std::uint8_t, 8> out{};
+    for (unsigned i = 0; i < 8; ++i) {
+      constexpr std::array<unsigned, 8> kFew = {0, 1, 2, 4, 3, 5, 6, 7};
+      out[i] = static_cast<std::uint8_t>(nearest ^ kFew[i]);
+    }
+    return out;
   }
   static ParameterBox box_to(const TilePoint& u, unsigned corner) {
     ParameterBox box{u, u};
@@ -210,13 +229,13 @@ class VoidSearch {
     return false;
   }
   // The descents of F2, with a box in the place of the segment.
-  static bool misses(const std::vector<BezierSurface<Rational>>& maps, const ParameterBox& box) {
-    std::size_t visited = 0;
+  static bool misses(const std::vector<BezierSurface<Rational>>& maps, const ParameterBox& box,
+                     std::size_t most, std::size_t* visited) {
     const Rational half = Rational(1) / Rational(2);
     for (const auto& map : maps) {
       std::vector<std::pair<BezierSurface<Rational>, int>> stack = {{map, 0}};
       while (!stack.empty()) {
-        if (++visited > kMaxNodes) return false;
+        if (++*visited > most) return false;
         const auto [node, level] = std::move(stack.back());
         stack.pop_back();
         if (is_apart(node, box)) continue;
@@ -246,6 +265,7 @@ class VoidSearch {
   CageInverse inverse_;
   std::vector<std::vector<std::uint32_t>> facets_of_;  // by shells
   std::uint32_t shell_ = 0;
+  std::size_t left_ = kAllNodes;
 };
 
 }  // namespace

@@ -152,6 +152,10 @@ class Certification {
       phase(phase_name(next));
     };
     options.work = &progress_.work();
+    if (settings_.inside != nullptr) {
+      options.inside = &settings_.inside->mesh;
+      report_.inside = settings_.inside->report;
+    }
     Result<Certified> certified = veritope::certify(model_, options);
     end_phase();
     if (!certified) return refuse(finding_of(certified.error()));
@@ -243,7 +247,8 @@ class Certification {
       model = copy->path();
     }
     const CheckerOutcome outcome =
-        run_checker(settings_.checker, model, certificate->path(), claim_, inherited);
+        run_checker(settings_.checker, model, certificate->path(), claim_, inherited, {},
+                    settings_.inside != nullptr ? settings_.inside->report.path : "");
     report_.seconds.check = watch_.lap();
     report_.certificate->is_checked = outcome.is_accepted;
     return outcome.is_accepted || judge_refusal(outcome);
@@ -285,9 +290,16 @@ class Certification {
   }
 
   bool file_has_changed() const {
+    if (settings_.inside != nullptr &&
+        differs(settings_.inside->report.path, settings_.inside->report.sha256))
+      return true;
     if (stand_in_ || needs_copy()) return false;
-    const Result<ModelBytes> now = load_model(report_.path, settings_.reading);
-    return !now || to_hex(sha256({now->bytes.data(), now->bytes.size()})) != report_.sha256;
+    return differs(report_.path, report_.sha256);
+  }
+
+  bool differs(const std::string& path, const std::string& digest) const {
+    const Result<ModelBytes> now = load_model(path, settings_.reading);
+    return !now || to_hex(sha256({now->bytes.data(), now->bytes.size()})) != digest;
   }
 
   void conclude() {
@@ -309,8 +321,10 @@ class Certification {
     return "this is a bug of veritope, not of your file: please report it with the file, or with "
            "what this prints: veritope certify --no-check --certificate bug.cert " +
            own_options() + name + "; veritope-check " +
-           (stand_in_ ? copy_path("bug.cert", stand_in_->format) : name) +
-           " bug.cert; veritope --version";
+           (stand_in_ ? copy_path("bug.cert", stand_in_->format) : name) + " bug.cert" +
+           (settings_.inside != nullptr ? " --model " + shell_word(settings_.inside->report.path)
+                                        : "") +
+           "; veritope --version";
   }
 
   // The options of a command line that repeats this run.
@@ -322,6 +336,8 @@ class Certification {
     if (o.wants_regular) out += "--regular ";
     if (o.with_collar) out += "--collar ";
     if (o.tolerance) out += "--tolerance " + short_decimal(*o.tolerance, 17) + " ";
+    if (settings_.inside != nullptr)
+      out += "--model " + shell_word(settings_.inside->report.path) + " ";
     if (o.max_cells) out += "--max-cells " + std::to_string(*o.max_cells) + " ";
     if (o.max_memory) out += "--max-memory " + std::to_string(*o.max_memory >> 20) + " ";
     if (settings_.reading.format)

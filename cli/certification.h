@@ -15,6 +15,12 @@ namespace veritope::cli {
 
 using namespace report;
 
+/// --model of microstructures: the solid, read once.
+struct InsideModelFile {
+  MeshFile mesh;
+  InsideReport report;
+};
+
 struct CertifySettings {
   ModelReadOptions reading;
   CertifyOptions certify;  ///< on_phase and work are set here
@@ -23,6 +29,7 @@ struct CertifySettings {
   std::string checker;  ///< the checker's program; empty: --no-check
   /// Nothing: no picture. A picture shows up to kMostDrawn defects of each rule, whatever the number that is listed.
   std::optional<PictureKind> picture;
+  const InsideModelFile* inside = nullptr;  ///< null: without --model
   /// Not null: takes the model once it is decided, or has turned out to be undecided.
   ModelFile* model = nullptr;
   /// Not null: takes the bytes of an input that needs_copy.

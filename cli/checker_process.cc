@@ -181,17 +181,22 @@ Result<std::string> find_checker() {
 
 CheckerOutcome run_checker(const std::string& checker, const std::string& model,
                            const std::string& certificate, const std::string& claim,
-                           const std::vector<int>& inherited, const std::string& answers) {
+                           const std::vector<int>& inherited, const std::string& answers,
+                           const std::string& solid) {
   const auto begin = std::chrono::steady_clock::now();
   // A name that looks like an option is a file, too.
-  const std::string named = model.compare(0, 1, "-") == 0 ? "./" + model : model;
-  const char* const third = answers.empty() ? nullptr : answers.c_str();
-  const char* const arguments[] = {checker.c_str(), named.c_str(), certificate.c_str(), third,
-                                   nullptr};
+  const auto named = [](const std::string& path) {
+    return path.starts_with("-") ? "./" + path : path;
+  };
+  const std::string subject = named(model), other = named(solid);
+  std::vector<const char*> arguments{checker.c_str(), subject.c_str(), certificate.c_str()};
+  if (!answers.empty()) arguments.push_back(answers.c_str());
+  if (!solid.empty()) arguments.insert(arguments.end(), {"--model", other.c_str()});
+  arguments.push_back(nullptr);
   CheckerOutcome outcome;
   pid_t child = 0;
   int output = -1;
-  if (const int error = start(arguments, inherited, child, output); error != 0) {
+  if (const int error = start(arguments.data(), inherited, child, output); error != 0) {
     outcome.words = "could not be started: " + std::generic_category().message(error);
   } else {
     outcome.is_started = true;

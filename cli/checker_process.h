@@ -29,10 +29,11 @@ struct CheckerOutcome {
   double seconds = 0;
 };
 
-/// Runs `checker model certificate`, followed by `answers` unless that is empty, and waits. `inherited`: descriptors
-/// that the child keeps, for paths such as /dev/fd/5.
+/// Runs `checker model certificate`, followed by `answers` unless that is empty, and by `--model solid` likewise, and
+/// waits. `inherited`: descriptors that the child keeps, for paths such as /dev/fd/5.
 CheckerOutcome run_checker(const std::string& checker, const std::string& model,
                            const std::string& certificate, const std::string& claim,
-                           const std::vector<int>& inherited, const std::string& answers = {});
+                           const std::vector<int>& inherited, const std::string& answers = {},
+                           const std::string& solid = {});
 
 }  // namespace veritope::cli

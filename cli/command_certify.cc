@@ -33,7 +33,8 @@ struct CertifyFilesOptions {
   std::optional<std::uint64_t>
       max_defects;  ///< nothing: 20, and pairs of faces are not listed one by one
   bool no_check = false, quiet = false;
-  std::optional<int> jobs;  ///< nothing: all of the machine, one for small meshes
+  std::optional<int> jobs;           ///< nothing: all of the machine, one for small meshes
+  std::optional<std::string> model;  ///< microstructures
   // spline files
   bool orient_auto = false, regular = false, collar = false;
   std::optional<double> tolerance;
@@ -57,8 +58,10 @@ void declare(OptionSet& set, CertifyFilesOptions& o) {
              "patches: relative width of the volume's interval (1e-5)");
   set.flag("--collar", o.collar, "patches: find a collar, and certify it, too");
   set.hide("--collar");  // the help line below names it
+  set.text("--model", o.model, "microstructures: they lie in the interior of this solid", "M");
+  set.hide("--model");  // the help line of --no-check names it
   set.flag("--regular", o.regular, "volumes: INVALID where det J is 0; --collar: find collars");
-  set.flag("--no-check", o.no_check, "do not run veritope-check, and say so");
+  set.flag("--no-check", o.no_check, "run no veritope-check; --model M: .vmicro inside solid M");
   set.flag("-q,--quiet", o.quiet, "the verdict lines only, as a table");
   declare_format(set, o.input);
   declare_reading(set, o.input.reading);
@@ -229,6 +232,34 @@ Status check_table(const CertifyFilesOptions& options, const OutputPlan& plan) {
   return check_output("--tsv", *options.tsv, options.input.files, plan, options.json);
 }
 
+// Refuses files beside microstructures, and models that are no meshes or that cannot be read twice.
+Status check_model(const CertifyFilesOptions& options) {
+  if (!options.model) return ok_status();
+  if (needs_copy(*options.model))
+    return bad_argument("--model needs the name of a file that can be read twice, not " +
+                        *options.model);
+  for (const std::string& file : options.input.files) {
+    const auto& format = options.input.reading.format;
+    const bool is_read = is_file(file);
+    if (!is_read && !format) continue;
+    const ModelKind kind =
+        is_read ? ModelInput(file, options.input.reading).kind() : kind_of(*format);
+    if (kind != ModelKind::kMicro)
+      return bad_argument("--model is for microstructures; " + file + " is " + title_of(kind));
+  }
+  return ok_status();
+}
+// Reads the solid.
+Result<InsideModelFile> read_inside_model(const std::string& path, ModelReadOptions reading) {
+  reading.format.reset();
+  Result<MeshFile> mesh = read_mesh_file(path, reading);
+  if (!mesh) return mesh.error();
+  InsideModelFile out{std::move(*mesh), {}};
+  out.report = {path, out.mesh.sha256, mesh_format_name(out.mesh.report.format),
+                out.mesh.report.bytes};
+  return out;
+}
+
 // Files of folders that are left out are named, so that nobody takes them for certified.
 void report_copies(std::size_t num_copies, bool has_text, StandardOutput& out) {
   const std::string text = num_copies == 1 ? "1 copy beside its certificate was left out"
@@ -303,11 +334,18 @@ ExitCode run(CertifyFilesOptions options, StandardOutput& out) {
   if (!plan) return fail(plan.error());
   if (const Status status = check_picture(options, *plan); !status) return fail(status.error());
   if (const Status status = check_table(options, *plan); !status) return fail(status.error());
+  if (const Status status = check_model(options); !status) return fail(status.error());
   CertifySettings settings = settings_of(options);
   if (!options.no_check) {
     const Result<std::string> checker = find_checker();
     if (!checker) return complain(checker.error().message), kExitUsage;
     settings.checker = *checker;
+  }
+  std::optional<InsideModelFile> inside;
+  if (options.model) {
+    Result<InsideModelFile> read = read_inside_model(*options.model, settings.reading);
+    if (!read) return fail(read.error());
+    settings.inside = &inside.emplace(std::move(*read));
   }
   return certify_all(options, *plan, settings, files->copies, out);
 }

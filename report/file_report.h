@@ -37,6 +37,12 @@ struct CopyReport {
   std::string format = "vjson";
 };
 
+/// The solid in whose interior a microstructure must lie.
+struct InsideReport {
+  std::string path, sha256, format;
+  std::uint64_t bytes = 0;
+};
+
 /// Wall-clock seconds of the phases that took place.
 struct PhaseSeconds {
   std::optional<double> read, decide, collar, certify, draw, check;
@@ -70,6 +76,7 @@ struct FileReport {
   std::optional<std::string> picture;         ///< the file with it, if one was written
   std::optional<CopyReport> copy;             ///< the model of which the certificate speaks
   std::optional<std::string> boundary_faces;  ///< as Certified::boundary_faces
+  std::optional<InsideReport> inside;         ///< nothing without --model
   PhaseSeconds seconds;
   /// Why it is undecided or unreadable, or why the exit is not the verdict's. Codes: those of code_name and of certify,
   /// and "internal", "not-checked", "out-of-memory", "over-budget", "file-changed".

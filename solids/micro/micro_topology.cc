@@ -24,7 +24,8 @@ class Topology {
     counts_.bridges = micro.bridges.size();
   }
 
-  std::variant<MicroCounts, MicroDefect> run() {
+  std::variant<MicroCounts, MicroDefect> run(std::vector<CellPatch>* first_patches = nullptr) {
+    first_patches_ = first_patches;
     for (std::uint32_t g = 0; g < micro_.grids.size(); ++g)
       if (auto defect = grid_defect(g)) return std::move(*defect);
     glued_.assign(counts_.cells, 0);
@@ -184,7 +185,26 @@ class Topology {
         is_one_shell_each = is_one_shell_each && shells_of(tile - 1, glued_[cell]).count == 1;
       }
     counts_.shells = is_one_shell_each ? counts_.components : count_shells();
+    if (is_one_shell_each && first_patches_ != nullptr) list_components();
     counts_.genus = static_cast<std::int64_t>(counts_.shells) - euler_;
+  }
+  // The first patches of shells, if each component has one shell.
+  void list_components() {
+    for_each_tile([&](std::uint32_t g, std::uint64_t c, std::uint32_t root) {
+      const std::uint32_t cell = number_of_cell({g, c, 0});
+      if (root == cell) add_first_patches({g, c, 0}, [](std::uint32_t) { return true; });
+    });
+  }
+  // The first patches of those shells of a tile for which `is_first` holds.
+  template <typename IsFirst>
+  void add_first_patches(const CellWall& at, IsFirst is_first) {
+    const TileShells& own = shells_of(tile_of(at), glued_[number_of_cell(at)]);
+    std::uint32_t next = 0;
+    for (std::uint32_t p = 0; p < own.shell_of_patch.size(); ++p) {
+      if (own.shell_of_patch[p] != next) continue;
+      if (is_first(next)) first_patches_->push_back({at.grid, at.cell, p});
+      ++next;
+    }
   }
   std::uint64_t count_shells() {
     std::vector<std::uint32_t> first(counts_.cells);
@@ -205,6 +225,12 @@ class Topology {
     });
     std::uint64_t n = 0;
     for (std::uint32_t s = 0; s < next; ++s) n += shells.find(s) == s;
+    if (first_patches_ != nullptr)
+      for_each_tile([&](std::uint32_t g, std::uint64_t c, std::uint32_t) {
+        const std::uint32_t begin = first[number_of_cell({g, c, 0})];
+        add_first_patches({g, c, 0},
+                          [&](std::uint32_t s) { return shells.find(begin + s) == begin + s; });
+      });
     return n;
   }
   // Joins the shells on both sides of each side of the rim of two equal caps.
@@ -242,13 +268,15 @@ class Topology {
   MicroCounts counts_;
   std::int64_t euler_ = 0;
   std::optional<MicroDefect> defect_;
+  std::vector<CellPatch>* first_patches_ = nullptr;
 };
 
 }  // namespace
 
 std::variant<MicroCounts, MicroDefect> topology_of(const Microstructure& micro, const VModel& cage,
-                                                   const std::vector<AnalysedTile>& tiles) {
-  return Topology(micro, cage, tiles).run();
+                                                   const std::vector<AnalysedTile>& tiles,
+                                                   std::vector<CellPatch>* first_patches) {
+  return Topology(micro, cage, tiles).run(first_patches);
 }
 
 namespace {

@@ -24,10 +24,20 @@ struct MicroDefect {
   std::string message;
 };
 
+/// A patch of the tile of a cell.
+struct CellPatch {
+  std::uint32_t grid = 0;
+  std::uint64_t cell = 0;
+  std::uint32_t patch = 0;
+  friend bool operator==(const CellPatch&, const CellPatch&) = default;
+};
+
+/// @param first_patches  if not null, takes the first patch of each shell, in the order of grids, cells and patches
 /// REQUIRES that the cage is that of micro, and the analysed tiles are its tiles, each with at most 64 caps.
 /// @cost  near-linear in the cells; 20 bytes for each
 std::variant<MicroCounts, MicroDefect> topology_of(const Microstructure& micro, const VModel& cage,
-                                                   const std::vector<AnalysedTile>& tiles);
+                                                   const std::vector<AnalysedTile>& tiles,
+                                                   std::vector<CellPatch>* first_patches = nullptr);
 
 /// Empties the cells whose tiles are not joined to those of the largest component by equal caps: the component with the
 /// most tiles, of several that with the first cell.

@@ -46,6 +46,10 @@ struct CertifyOptions {
   // Models of volumes; the other kinds ignore it.
   bool wants_regular = false;  ///< a model whose Jacobian determinant vanishes somewhere is INVALID
 
+  /// Microstructures; the other kinds ignore it. If not null, the microstructure must lie in the interior of the solid
+  /// that this mesh bounds, and the claim is micro-inside-1.
+  const MeshFile* inside = nullptr;
+
   // Models of patches; the other kinds ignore them.
   bool with_collar = false;  ///< seek a collar; if one is found the claim is collar-1 or collar-2
   /// The most boxes that are tried, and the most octree cells of a collar. Nothing: those of StarCoverOptions and
@@ -65,9 +69,9 @@ using Facts = std::variant<std::monostate, MeshFacts, PatchFacts, MicroFacts>;
 /// file's format or shapes, or find other boundary faces of its volumes.
 struct CertifiedCopy {
   std::string bytes;
-  std::string sha256;          ///< 64 lower-case hexadecimal digits
-  std::string what;            ///< what of the file it has: "its 7 surfaces"
-  bool is_of_volumes = false;  ///< their boundary faces; the verdict says nothing of their cells
+  std::string sha256;            ///< 64 lower-case hexadecimal digits
+  std::string what;              ///< what of the file it has: "its 7 surfaces"
+  bool is_of_volumes = false;    ///< their boundary faces; the verdict says nothing of their cells
   std::string format = "vjson";  ///< or "off": the polygons of the file
 };
 
@@ -76,7 +80,8 @@ struct Certified {
   /// VALID: empty. INVALID: what is proved wrong; of meshes at most max_findings for each rule. UNDECIDED: the reasons,
   /// named ones first ("side-t-junction"; at most 19), and at last "not-certified" (neither proved right nor wrong),
   /// "cell-limit" or "memory-limit" (a limit of the options ended the search), or "not-covered" (no certificate can
-  /// speak of such a file).
+  /// speak of such a file). With `inside`, also "not-inside" (not proved to lie in the model), and "model" (the model is
+  /// not proved to bound a solid).
   std::vector<Finding> findings;
   Facts facts;
   certificate::Bytes certificate;  ///< empty iff the verdict is kUndecided

@@ -3,6 +3,7 @@
 #include "io/formats.h"
 #include "verify/certify/certify_kinds_internal.h"
 #include "verify/certify/micro_certifier.h"
+#include "verify/certify/micro_inside_certifier.h"
 
 namespace veritope {
 namespace {
@@ -24,6 +25,8 @@ Result<Certified> internal::certify_kind(const MicroFile& file, const CertifyOpt
   subject.bytes = file.bytes;
   subject.format = model_format(file.format).name;
   subject.tool = options.tool;
+  if (options.inside != nullptr)
+    return certify_inside(file.micro, subject, *options.inside, options);
   return certify_microstructure(file.micro, subject, options);
 }
 

@@ -209,6 +209,13 @@ certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const Validit
   return certificate::encode(subject, invalid_body(mesh, defects));
 }
 
+certificate::ValidBody make_valid_body(const TriangleMesh& mesh, const ValidityReport& report,
+                                       unsigned jobs, WorkShare* work) {
+  VT_CHECK(report.is_valid, "only a valid mesh has such a body");
+  const WorkerScope workers(std::max(1u, jobs));
+  return valid_body(mesh, report, jobs, work);
+}
+
 certificate::Bytes make_mesh_certificate(const ReversedSolid& solid,
                                          const certificate::Subject& subject, unsigned jobs,
                                          WorkShare* work) {

@@ -23,6 +23,10 @@ certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const Validit
                                          const certificate::Subject& subject, unsigned jobs,
                                          WorkShare* work = nullptr);
 
+/// The body of mesh-valid-1. REQUIRES a report of a valid mesh, as above.
+certificate::ValidBody make_valid_body(const TriangleMesh& mesh, const ValidityReport& report,
+                                       unsigned jobs, WorkShare* work = nullptr);
+
 /// The certificate mesh-reversed-1 of a file whose triangles, with those of the reversal reversed, are `solid.mesh`.
 certificate::Bytes make_mesh_certificate(const ReversedSolid& solid,
                                          const certificate::Subject& subject, unsigned jobs,

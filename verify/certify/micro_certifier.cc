@@ -14,7 +14,6 @@
 #include "verify/certify/certify_kinds_internal.h"
 #include "verify/certify/vmodel_certifier.h"
 #include "verify/format/claims.h"
-#include "verify/format/micro_certificate.h"
 
 namespace veritope {
 namespace {
@@ -27,12 +26,11 @@ class MicroCertification {
  public:
   MicroCertification(const Microstructure& micro, const certificate::Subject& subject,
                      const CertifyOptions& options)
-      : micro_(micro),
-        subject_(subject),
-        options_(options),
-        facts_(out_.facts.emplace<MicroFacts>(micro_facts_of(micro))) {}
+      : micro_(micro), subject_(subject), options_(options) {
+    out_.facts = micro_facts_of(micro);
+  }
 
-  Certified run() {
+  std::variant<MicroProof, Certified> run() {
     internal::enter(Phase::kDeciding, options_);
     for (std::size_t k = 0; k < micro_.tiles.size(); ++k)
       if (auto reason = analyse(k)) return undecided(std::move(*reason));
@@ -40,14 +38,17 @@ class MicroCertification {
     if (auto reason = certify_cage()) return undecided(std::move(*reason));
     Result<VModel> cage = make_v_model(micro_.cage, VOrientation::kAuto);
     VT_CHECK(cage.has_value(), "the cage was certified");
-    auto topology = topology_of(micro_, *cage, tiles_);
+    MicroProof proof;
+    auto topology = topology_of(micro_, *cage, tiles_, &proof.first_patches);
     if (const auto* defect = std::get_if<MicroDefect>(&topology))
       return undecided(reason_of(*defect));
-    facts_.counts = std::get<MicroCounts>(topology);
+    proof.counts = std::get<MicroCounts>(topology);
     if (auto reason = certify_bridges(*cage)) return undecided(std::move(*reason));
     internal::enter(Phase::kCertifying, options_);
-    conclude();
-    return std::move(out_);
+    prove_tiles();
+    proof.body = std::move(body_);
+    proof.tiles = std::move(tiles_);
+    return proof;
   }
 
  private:
@@ -170,28 +171,19 @@ class MicroCertification {
     return out;
   }
 
-  void conclude() {
+  void prove_tiles() {
     for (const AnalysedTile& tile : tiles_) {
       certificate::StarTileProof proof;
       for (std::size_t c = 0; c < 3; ++c) proof.centre[c] = to_fraction(tile.centre[c]);
       proof.exit = tile.exit;
       body_.tiles.emplace_back(std::move(proof));
     }
-    const MicroCounts& n = facts_.counts;
-    out_.certificate = certificate::encode(
-        subject_,
-        certificate::MicroQuantities{n.cells, n.tiles, n.bridges, n.glued_caps, n.components,
-                                     n.shells, static_cast<std::uint64_t>(n.genus)},
-        body_);
-    out_.claim = certificate::kMicroClaim;
-    out_.verdict = Verdict::kValid;
   }
 
   const Microstructure& micro_;
   const certificate::Subject& subject_;
   const CertifyOptions& options_;
   Certified out_;
-  MicroFacts& facts_;
   std::vector<AnalysedTile> tiles_;
   certificate::MicroBody body_;
 };
@@ -210,9 +202,35 @@ MicroFacts micro_facts_of(const Microstructure& micro) {
   return out;
 }
 
+certificate::MicroQuantities quantities_of(const MicroCounts& n) {
+  return {n.cells,
+          n.tiles,
+          n.bridges,
+          n.glued_caps,
+          n.components,
+          n.shells,
+          static_cast<std::uint64_t>(n.genus)};
+}
+
+std::variant<MicroProof, Certified> prove_microstructure(const Microstructure& micro,
+                                                         const certificate::Subject& subject,
+                                                         const CertifyOptions& options) {
+  return MicroCertification(micro, subject, options).run();
+}
+
 Certified certify_microstructure(const Microstructure& micro, const certificate::Subject& subject,
                                  const CertifyOptions& options) {
-  return MicroCertification(micro, subject, options).run();
+  auto proved = prove_microstructure(micro, subject, options);
+  if (auto* const undecided = std::get_if<Certified>(&proved)) return std::move(*undecided);
+  const auto& proof = std::get<MicroProof>(proved);
+  Certified out;
+  MicroFacts facts = micro_facts_of(micro);
+  facts.counts = proof.counts;
+  out.facts = std::move(facts);
+  out.certificate = certificate::encode(subject, quantities_of(proof.counts), proof.body);
+  out.claim = certificate::kMicroClaim;
+  out.verdict = Verdict::kValid;
+  return out;
 }
 
 }  // namespace veritope

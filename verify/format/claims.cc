@@ -133,6 +133,11 @@ constexpr auto kClaims = std::to_array<Claim>({
     {kMicroClaim, kMicroMagic, "microstructure.md", "vmicro", "",
      "bridges cells components genus glued_caps shells tiles", "", encode_as<MicroBody>,
      decode_whole<internal::read_micro>, explain_as<MicroBody>},
+    {kMicroInsideClaim, kMicroInsideMagic, "micro-inside.md", "vmicro",
+     "model_format model_sha256 reading_rule skin",
+     "bridges cells components genus glued_caps model_bytes shells tiles", "as_indexed",
+     encode_as<MicroInsideBody>, decode_whole<internal::read_micro_inside>,
+     explain_as<MicroInsideBody>},
 });
 
 void add_keys(std::string_view names, const char* kind, std::map<std::string, std::string>& keys) {

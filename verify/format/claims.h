@@ -14,6 +14,7 @@
 #include "verify/format/collar_certificate.h"
 #include "verify/format/mesh_certificate.h"
 #include "verify/format/micro_certificate.h"
+#include "verify/format/micro_inside_certificate.h"
 #include "verify/format/patch_invalid_certificate.h"
 #include "verify/format/patch_meeting_certificate.h"
 #include "verify/format/points_certificate.h"
@@ -26,7 +27,7 @@ namespace veritope::certificate {
 /// The body of a certificate as plain data.
 using AnyBody = std::variant<ValidBody, InvalidBody, ReversedBody, StarBoxBody, CollarBody,
                              PatchInvalidBody, PatchMeetingBody, PointsBody, VolumeFoldedBody,
-                             VModelBody, VModelInvalidBody, MicroBody>;
+                             VModelBody, VModelInvalidBody, MicroBody, MicroInsideBody>;
 
 /// Which entities of the model are surfaces; the others are triangles. Bodies of version 1 about patches do not say so
 /// themselves.

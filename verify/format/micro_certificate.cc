@@ -24,10 +24,6 @@ std::string number_text(const Natural& n) {
   for (std::size_t i = n.size(); i-- > 0;) value = value << 8 | n[i];
   return std::to_string(value);
 }
-std::string centre_text(const Fraction& x) {
-  return (x.is_negative ? "-" : "") + number_text(x.numerator) + "/" + number_text(x.denominator);
-}
-
 void write_tile(internal::ByteWriter& w, const MicroTileProof& tile) {
   w.u8(static_cast<std::uint8_t>(tile.index()));
   if (const auto* const star = std::get_if<StarTileProof>(&tile)) {
@@ -72,6 +68,20 @@ BridgeProof read_bridge(ByteReader& r) {
 
 }  // namespace
 
+std::string internal::short_text(const Fraction& x) {
+  return (x.is_negative ? "-" : "") + number_text(x.numerator) + "/" + number_text(x.denominator);
+}
+
+void internal::state_quantities(StatementWriter& w, const MicroQuantities& q) {
+  w.number("cells", q.cells);
+  w.number("tiles", q.tiles);
+  w.number("bridges", q.bridges);
+  w.number("glued_caps", q.glued_caps);
+  w.number("components", q.components);
+  w.number("shells", q.shells);
+  w.number("genus", q.genus);
+}
+
 Bytes encode(const MicroBody& body) {
   internal::ByteWriter w;
   w.text(kMicroMagic);
@@ -92,13 +102,7 @@ Bytes encode(const Subject& subject, const MicroQuantities& q, const MicroBody& 
   internal::StatementWriter w;
   internal::state_subject(w, subject, kMicroClaim);
   w.text("body_sha256", to_hex(sha256(bytes)));
-  w.number("cells", q.cells);
-  w.number("tiles", q.tiles);
-  w.number("bridges", q.bridges);
-  w.number("glued_caps", q.glued_caps);
-  w.number("components", q.components);
-  w.number("shells", q.shells);
-  w.number("genus", q.genus);
+  internal::state_quantities(w, q);
   return internal::join(w.take(), bytes);
 }
 
@@ -129,14 +133,15 @@ std::string explain(const MicroBody& body, std::string_view claim, std::size_t m
     if (star == nullptr)
       return std::to_string(std::get<StarBoxBody>(body.tiles[i]).boxes.size()) + " star boxes";
     std::string text = "star-shaped about (";
-    for (std::size_t c = 0; c < 3; ++c) text += (c == 0 ? "" : ", ") + centre_text(star->centre[c]);
+    for (std::size_t c = 0; c < 3; ++c)
+      text += (c == 0 ? "" : ", ") + internal::short_text(star->centre[c]);
     return text + "), left through patch " + std::to_string(star->exit);
   });
   internal::append_list(out, "bridges", body.bridges.size(), max_items, [&](std::size_t i) {
     const BridgeProof& bridge = body.bridges[i];
     std::string text = "one to one by the matrix (";
     for (std::size_t c = 0; c < bridge.matrix.size(); ++c)
-      text += (c == 0 ? "" : c % 3 == 0 ? "; " : ", ") + centre_text(bridge.matrix[c]);
+      text += (c == 0 ? "" : c % 3 == 0 ? "; " : ", ") + internal::short_text(bridge.matrix[c]);
     return text + "), " + std::to_string(bridge.cuts.size() + 1) + " slices";
   });
   return out + "the cage as a " + explain(body.cage, kVModelClaim, max_items);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -46,7 +47,12 @@ Bytes encode(const MicroBody& body);
 Bytes encode(const Subject& subject, const MicroQuantities& quantities, const MicroBody& body);
 
 namespace internal {
+class StatementWriter;
 std::optional<MicroBody> read_micro(ByteReader r);
+/// The keys of the numbers.
+void state_quantities(StatementWriter& w, const MicroQuantities& quantities);
+/// "-3/4"; for longer numbers the number of their bytes.
+std::string short_text(const Fraction& x);
 }  // namespace internal
 
 }  // namespace veritope::certificate

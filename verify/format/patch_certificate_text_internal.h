@@ -8,6 +8,7 @@
 
 #include "verify/format/collar_certificate.h"
 #include "verify/format/micro_certificate.h"
+#include "verify/format/micro_inside_certificate.h"
 #include "verify/format/patch_invalid_certificate.h"
 #include "verify/format/patch_meeting_certificate.h"
 #include "verify/format/vmodel_certificate.h"
@@ -24,5 +25,6 @@ std::string explain(const VolumeFoldedBody& body, std::string_view claim, std::s
 std::string explain(const VModelBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const VModelInvalidBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const MicroBody& body, std::string_view claim, std::size_t max_items);
+std::string explain(const MicroInsideBody& body, std::string_view claim, std::size_t max_items);
 
 }  // namespace veritope::certificate

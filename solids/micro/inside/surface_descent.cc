@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// I1: the surface of a microstructure misses the triangles of a mesh.
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "interval/upward.h"
+#include "robust/base/parallel.h"
+#include "solids/micro/inside/descent_internal.h"
+#include "solids/micro/inside/inside_parts_internal.h"
+
+namespace veritope::internal {
+
+namespace {
+
+constexpr std::size_t kUnitSide = 16;  // cells along an axis that one thread takes at a time
+constexpr std::size_t kUnitBridges = 16;
+
+using CellNumber = std::array<std::size_t, 3>;
+struct CellBlock {
+  CellNumber begin, end;
+};
+
+// Cells or bridges that one thread takes at a time.
+struct DescentUnit {
+  std::uint32_t grid = 0;
+  CellBlock cells{};
+  std::size_t first_bridge = 0, past_bridge = 0;
+};
+
+// A patch of a kind of tile, enclosed: a net for each power of t.
+struct EnclosedPatch {
+  std::array<int, 2> degrees{};
+  std::optional<int> wall;
+  std::vector<std::vector<Box3>> powers;
+};
+std::vector<EnclosedPatch> enclosed_patches(const MicroTile& tile) {
+  std::vector<EnclosedPatch> out;
+  for (const TilePatch& patch : tile.patches) {
+    EnclosedPatch& e = out.emplace_back(EnclosedPatch{patch.degrees, patch.wall, {}});
+    for (const auto& list : patch.points) {
+      auto& to = e.powers.emplace_back();
+      for (const TilePoint& p : list) to.emplace_back(enclose(p[0]), enclose(p[1]), enclose(p[2]));
+    }
+  }
+  return out;
+}
+// Its coefficients for the number of the wall. The number is a double.
+void patch_points(const EnclosedPatch& patch, std::int32_t number, std::vector<Box3>* out) {
+  *out = patch.powers.back();
+  const Interval t(static_cast<double>(number) * 0x1p-20);
+  for (std::size_t k = patch.powers.size() - 1; k-- > 0;)
+    for (std::size_t i = 0; i < out->size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        (*out)[i][c] = Interval::nonnegative_multiple((*out)[i][c], t) + patch.powers[k][i][c];
+}
+
+// The lines of a grid along an axis, by cells, in units of the knot spans.
+struct AxisParts {
+  std::vector<SpanPart> cells;
+  std::vector<std::size_t> first_of_span;  // and the number of cells
+};
+AxisParts axis_parts(const VolumeMaps& maps, std::size_t axis,
+                     const std::vector<Rational>& breaks) {
+  AxisParts out;
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+    out.cells.push_back(maps.part(axis, breaks[i], breaks[i + 1]));
+    if (i == 0 || out.cells[i].span != out.cells[i - 1].span) out.first_of_span.push_back(i);
+  }
+  out.first_of_span.push_back(out.cells.size());
+  return out;
+}
+
+using FacetList = std::vector<std::uint32_t>;
+
+// Everything that all units share.
+struct DescentWork {
+  explicit DescentWork(const InsideParts& p) : parts(p) {
+    const ScopedUpward upward;
+    for (const MicroTile& tile : p.micro.tiles) patches.push_back(enclosed_patches(tile));
+    for (const MicroGrid& grid : p.micro.grids) {
+      auto& to = axes.emplace_back();
+      for (std::size_t a = 0; a < 3; ++a)
+        to[a] = axis_parts(p.volumes[grid.volume], a, grid.breaks[a]);
+    }
+  }
+  const InsideParts& parts;
+  std::vector<std::vector<EnclosedPatch>> patches;
+  std::vector<std::array<AxisParts, 3>> axes;
+};
+
+class UnitDescent {
+ public:
+  UnitDescent(const DescentWork& work, const DescentUnit& unit, const DescentCounts& most)
+      : work_(work), parts_(work.parts), unit_(unit), budget_(most) {}
+
+  std::optional<InsideDefect> run() {
+    const ScopedUpward upward;
+    if (unit_.past_bridge > unit_.first_bridge) {
+      for (std::size_t b = unit_.first_bridge; b < unit_.past_bridge && !defect_; ++b) bridge(b);
+    } else {
+      block(unit_.cells, nullptr);
+    }
+    return std::move(defect_);
+  }
+  const DescentCounts& counts() const { return budget_.counts(); }
+
+ private:
+  const MicroGrid& grid() const { return parts_.micro.grids[unit_.grid]; }
+
+  bool has_tile(const CellBlock& b) const {
+    const Grid<3> shape = grid().shape();
+    for (std::size_t i = b.begin[0]; i < b.end[0]; ++i)
+      for (std::size_t j = b.begin[1]; j < b.end[1]; ++j) {
+        const auto* const row = grid().tiles.data() + shape.at({i, j, 0});
+        if (std::any_of(row + b.begin[2], row + b.end[2], [](std::uint8_t t) { return t != 0; }))
+          return true;
+      }
+    return false;
+  }
+
+  // Facets that are not apart from the block's points; of those in `from`, or of all.
+  FacetList close_facets(const NodePoints& points, const FacetList* from) {
+    FacetList out;
+    const auto look = [&](std::uint32_t f) {
+      if (!meets(parts_.facets.box(f), points.box)) return;
+      budget_.add_pair();
+      if (!parts_.facets.is_apart(f, points)) out.push_back(f);
+    };
+    if (from == nullptr)
+      parts_.facets.visit(points.box, look);
+    else
+      std::for_each(from->begin(), from->end(), look);
+    return out;
+  }
+
+  void block(const CellBlock& b, const FacetList* from) {
+    if (defect_ || budget_.is_spent() || !has_tile(b)) return;
+    const auto& axes = work_.axes[unit_.grid];
+    std::array<std::size_t, 3> spans{};
+    Box3 begin, end;
+    std::size_t longest = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      spans[a] = axes[a].cells[b.begin[a]].span;
+      begin[a] = axes[a].cells[b.begin[a]].lo_bound;
+      end[a] = axes[a].cells[b.end[a] - 1].hi_bound;
+      if (b.end[a] - b.begin[a] > b.end[longest] - b.begin[longest]) longest = a;
+    }
+    const PartNet net = parts_.volumes[grid().volume].net(spans).part(begin, end);
+    std::optional<FacetList> close;
+    if (net.points(&scratch_)) {
+      points_.assign(scratch_);
+      close = close_facets(points_, from);
+      if (close->empty()) return;
+    }
+    const FacetList* const list = close ? &*close : from;
+    const std::size_t size = b.end[longest] - b.begin[longest];
+    if (size == 1) {
+      if (list == nullptr) return fail_on_weights();
+      return cell(b.begin, net, *list);
+    }
+    CellBlock low = b, high = b;
+    low.end[longest] = high.begin[longest] = b.begin[longest] + size / 2;
+    block(low, list);
+    block(high, list);
+  }
+  void fail_on_weights() {
+    defect_ = InsideDefect{"I1", {}, {}, {}, "a weight of the cage is not proved to be positive"};
+  }
+
+  void cell(const CellNumber& number, const PartNet& net, const FacetList& close) {
+    const Grid<3> shape = grid().shape();
+    CellPatch at{unit_.grid, shape.at(number), 0};
+    const auto numbers = grid().numbers_of(number);
+    const auto& patches = work_.patches[grid().tiles[at.cell] - 1u];
+    for (; at.patch < patches.size() && !defect_ && !budget_.is_spent(); ++at.patch) {
+      const EnclosedPatch& patch = patches[at.patch];
+      PatchNode root{patch.degrees, {}, 0};
+      const std::int32_t t =
+          patch.wall ? numbers[static_cast<std::size_t>(*patch.wall)] : std::int32_t{0};
+      patch_points(patch, t, &root.points);
+      const auto close_to = [&](const PatchNode& node, const FacetList& from) {
+        const Box3 x = node.box();
+        const PartNet part = net.part(lower_ends(x), upper_ends(x));
+        if (!part.points(&scratch_)) return from;
+        points_.assign(scratch_);
+        return close_facets(points_, &from);
+      };
+      const auto left = descend(std::move(root), close, budget_, close_to);
+      if (!left) continue;
+      defect_ = InsideDefect{
+          "I1",
+          at,
+          {},
+          *left,
+          parts_.name(at) + " is not proved to miss triangle " + std::to_string(*left)};
+    }
+  }
+
+  void bridge(std::size_t number) {
+    const MicroBridge& b = parts_.micro.bridges[number];
+    const BridgeMaps maps(parts_.volumes[b.volume]);
+    const auto close_to = [&](const BridgeNode& node, const FacetList& from) {
+      std::vector<NodePoints> all;
+      if (!maps.points(node.box(), &all)) return from;
+      for (std::size_t i = 1; i < all.size(); ++i) budget_.add_node();
+      FacetList out;
+      for (const std::uint32_t f : from) {
+        bool is_met = false, is_apart = true;
+        for (const NodePoints& points : all) {
+          if (!meets(parts_.facets.box(f), points.box)) continue;
+          is_met = true;
+          is_apart = is_apart && parts_.facets.is_apart(f, points);
+        }
+        if (is_met) budget_.add_pair();
+        if (!is_apart) out.push_back(f);
+      }
+      return out;
+    };
+    BridgeNode root = enclosed_bridge(b);
+    const FacetList all = facets_near(maps, root);
+    const auto left = descend(std::move(root), all, budget_, close_to);
+    if (!left) return;
+    defect_ = InsideDefect{"I1",
+                           {},
+                           static_cast<std::uint32_t>(number),
+                           *left,
+                           "bridge " + std::to_string(number) + " is not proved to miss triangle " +
+                               std::to_string(*left)};
+  }
+  FacetList facets_near(const BridgeMaps& maps, const BridgeNode& node) const {
+    std::vector<NodePoints> all;
+    FacetList out;
+    Box3d box = empty_box();
+    if (maps.points(node.box(), &all)) {
+      for (const NodePoints& points : all) box = hull(box, points.box);
+      parts_.facets.visit(box, [&](std::uint32_t f) { out.push_back(f); });
+      std::sort(out.begin(), out.end());
+      return out;
+    }
+    for (std::uint32_t f = 0; f < parts_.facets.size(); ++f) out.push_back(f);
+    return out;
+  }
+
+  const DescentWork& work_;
+  const InsideParts& parts_;
+  const DescentUnit& unit_;
+  DescentBudget budget_;
+  std::optional<InsideDefect> defect_;
+  std::vector<Box3> scratch_;
+  NodePoints points_;
+};
+
+std::vector<DescentUnit> descent_units(const DescentWork& work) {
+  std::vector<DescentUnit> out;
+  for (std::uint32_t g = 0; g < work.axes.size(); ++g) {
+    std::array<std::vector<std::pair<std::size_t, std::size_t>>, 3> ranges;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto& firsts = work.axes[g][a].first_of_span;
+      for (std::size_t s = 0; s + 1 < firsts.size(); ++s) {
+        const std::size_t n = firsts[s + 1] - firsts[s], num = num_chunks(n, kUnitSide);
+        for (std::size_t i = 0; i < num; ++i)
+          ranges[a].emplace_back(firsts[s] + n * i / num, firsts[s] + n * (i + 1) / num);
+      }
+    }
+    for (const auto& x : ranges[0])
+      for (const auto& y : ranges[1])
+        for (const auto& z : ranges[2])
+          out.push_back({g, {{x.first, y.first, z.first}, {x.second, y.second, z.second}}, 0, 0});
+  }
+  const std::size_t n = work.parts.micro.bridges.size();
+  for (std::size_t b = 0; b < n; b += kUnitBridges)
+    out.push_back({0, {}, b, std::min(n, b + kUnitBridges)});
+  return out;
+}
+
+DescentCounts most_work(const InsideParts& parts) {
+  std::uint64_t num_parts = parts.micro.bridges.size();
+  for (const MicroGrid& grid : parts.micro.grids)
+    for (const std::uint8_t t : grid.tiles)
+      if (t != 0) num_parts += parts.micro.tiles[t - 1u].patches.size();
+  return {parts.limits.nodes + parts.limits.nodes_of_part * num_parts, parts.limits.pairs};
+}
+
+}  // namespace
+
+std::optional<InsideDefect> surface_defect(const InsideParts& parts) {
+  const DescentWork work(parts);
+  const std::vector<DescentUnit> units = descent_units(work);
+  const DescentCounts most = most_work(parts);
+  std::vector<std::optional<InsideDefect>> defects(units.size());
+  std::vector<DescentCounts> counts(units.size());
+  // Units after one with a defect do not matter.
+  std::atomic<std::size_t> first_bad{units.size()};
+  parallel_for(units.size(), 1, parts.jobs, [&](std::size_t k, std::size_t, std::size_t) {
+    if (k > first_bad.load(std::memory_order_relaxed)) return;
+    UnitDescent descent(work, units[k], most);
+    defects[k] = descent.run();
+    counts[k] = descent.counts();
+    if (!defects[k] && counts[k].is_within(most)) return;
+    std::size_t known = first_bad.load();
+    while (k < known && !first_bad.compare_exchange_weak(known, k)) {
+    }
+  });
+  DescentCounts sum;
+  for (std::size_t k = 0; k < units.size(); ++k) {
+    if (defects[k]) return std::move(defects[k]);
+    sum.add(counts[k]);
+    if (!sum.is_within(most))
+      return InsideDefect{"I1",
+                          {},
+                          {},
+                          {},
+                          "that the surfaces do not meet takes more than " +
+                              std::to_string(most.nodes) + " parts of patches, or " +
+                              std::to_string(most.pairs) + " comparisons with triangles"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace veritope::internal

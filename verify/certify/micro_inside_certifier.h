@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/micro_inside_certifier.h: certify for microstructures inside of solids. Theory: docs/THEORY.md,
+// MICRO-2. The page: docs/certificates/micro-inside.md. Design: docs/design/0080-microstructures-inside-solids.md.
+#pragma once
+#include "verify/certify/micro_certifier.h"
+
+namespace veritope {
+
+/// VALID with its certificate (micro-inside-1); or UNDECIDED: as certify_microstructure; "model", if the mesh is not a
+/// solid; "not-inside", with the condition of the page that is not proved to hold, the cell and the triangle.
+/// @param subject  the bytes of the microstructure's file
+/// REQUIRES validate(micro).
+/// @cost  those of certify_microstructure and of certify for the mesh, and that of prove_inside
+Certified certify_inside(const Microstructure& micro, const certificate::Subject& subject,
+                         const MeshFile& model, const CertifyOptions& options);
+
+}  // namespace veritope

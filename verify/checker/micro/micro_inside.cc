@@ -60,6 +60,9 @@ InsideBody read_inside(const MicroFile& file, const Body& body) {  // B1, B2
 }  // namespace
 
 void check_inside_values(const Statement& s) {
+  const std::string& hash = s.text.at("model_sha256");
+  require(hash.size() == 64 && hash.find_first_not_of("0123456789abcdef") == std::string::npos,
+          "S1", "no hash of the model");
   const std::string &format = s.text.at("model_format"), &skin = s.text.at("skin");
   require(format == "stl" || format == "obj" || format == "ply" || format == "off", "S1",
           "unknown model_format");

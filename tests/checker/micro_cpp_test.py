@@ -7,6 +7,7 @@ import json
 import math
 import os
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
@@ -629,6 +630,25 @@ class Bridges(Judged):
         flat.points[3] = flat.points[0]
         self.reject(self.column(flat), "R1")
 
+    def test_r1_of_random_bridges(self):
+        """Their lists 1 and 2 are moved at random, and K, too; the condition is tested here by eliminating variables."""
+        rng = random.Random(int(os.environ.get("VT_SEED", "20261130")))
+        wide = Grid([[Q(0), Q(3, 8), Q(5, 8), Q(1)]] * 2 + [[Q(0), Q(1, 4), Q(1)]], {(1, 1, 0): 0})
+        seen = set()
+        for turn in range(60):
+            low, (p, q), step = straight(mf.rod(), 8, 5, Q(3, 8), grid=wide, turn=rng.random() < 0.5), rng.choice(((1, 1), (2, 1), (1, 3), (2, 2))), 64
+            lists = [elevated(low.points[k::3], p, q) for k in range(3)]
+            size = rng.choice((1, 2, 4, 8))
+            lists[1:] = [[tuple(c + Q(rng.randint(-size, size), 8 * step) for c in x) for x in points] for points in lists[1:]]
+            matrix = [k + Q(rng.randint(-size, size), 8) for k in low.matrix]
+            bridge = mf.Bridge.along(lists, 8, 5, degrees=(p, q), matrix=matrix)
+            micro = Micro([wide], [mf.rod()], bridges=[bridge])
+            verdict = meets_r1(lists, p, q, matrix)
+            seen.add(verdict)
+            with self.subTest(turn=turn):
+                self.accept(micro, 18, 1, 0, 1, 1, 0) if verdict else self.reject(micro, "R1")
+        self.assertEqual(seen, {True, False})
+
     def test_r2(self):
         self.reject(self.column(self.up(volume=1), cage=[mf.volume(), mf.volume(lambda x, y, z: (x + 2, y, z))]), "R2")
         thin = straight(mf.rod(first=(Q(1, 4), HALF)), 0, 5, Q(1, 2), grid=self.COLUMN)
@@ -780,6 +800,39 @@ class Materials(Judged):
     def test_order_of_keys(self):
         micro = Micro([Grid.block((1, 1, 2))], [mf.rod()])
         self.refuse(micro, materials="[]", bridges="[]")   # materials come last
+
+
+def raised_once(row):
+    """A Bernstein polynomial of points in the next degree."""
+    n = len(row)
+    padded = [row[0], *row, row[-1]]
+    return [tuple(Q(i, n) * a + Q(n - i, n) * b for a, b in zip(padded[i], padded[i + 1])) for i in range(n + 1)]
+
+
+def meets_r1(lists, p, q, matrix):
+    """R1 for a bridge with these lists, second parameter fastest."""
+    net = {(i, j, k): lists[k][i * (q + 1) + j] for i in range(p + 1) for j in range(q + 1) for k in range(3)}
+    columns = []
+    for axis, n in enumerate((p, q, 2)):
+        column = {}
+        for index in net:
+            if index[axis] == 0:
+                line = [net[tuple(t if a == axis else c for a, c in enumerate(index))] for t in range(n + 1)]
+                slopes = raised_once([tuple(n * (b - a) for a, b in zip(x, y)) for x, y in zip(line, line[1:])])
+                column.update({tuple(t if a == axis else c for a, c in enumerate(index)): slopes[t] for t in range(n + 1)})
+        columns.append(column)
+
+    def is_positive(m):
+        """Whether a symmetric matrix is positive definite, by elimination."""
+        m = [list(row) for row in m]
+        while m:
+            if m[0][0] <= 0:
+                return False
+            m = [[x - row[0] * y / m[0][0] for x, y in zip(row[1:], m[0][1:])] for row in m[1:]]
+        return True
+    rows = [matrix[3 * r:3 * r + 3] for r in range(3)]
+    products = [[[sum(a * b for a, b in zip(row, column[index])) for column in columns] for row in rows] for index in net]
+    return mf.determinant(*rows) > 0 and all(is_positive([[m[r][c] + m[c][r] for c in range(3)] for r in range(3)]) for m in products)
 
 
 def elevated(points, p, q):

@@ -17,7 +17,7 @@ import judges
 sys.path.insert(0, str(judges.ROOT / "tests" / "support"))
 import micro_files as mf                                   # noqa: E402
 from micro_files import HALF, Grid, Mesh, Micro, Void      # noqa: E402
-from micro_cpp_test import inverse_of, jack_numbers, straight    # noqa: E402
+from micro_cpp_test import jack_numbers, straight    # noqa: E402
 
 VERITOPE = os.environ["VERITOPE"]
 INNER = (1, 1, 0, 1, 1, 0)
@@ -111,12 +111,39 @@ class Inside(Judged):
                 else:
                     self.reject(micro, solid, "I1")
 
+    def test_random_projective_cages(self):
+        """A rational volume of the degrees 1 whose map is projective, so that facets stay flat."""
+        rng = random.Random(int(os.environ.get("VT_SEED", "20261128")))
+        for turn in range(40):
+            rows = [[Q(rng.randint(-9, 9), 100) + (k == r) for k in range(3)] + [Q(rng.randint(-9, 9), 100)] for r in range(3)]
+            weight = [Q(rng.randint(-20, 20), 100) for _ in range(3)]
+
+            def homogeneous(x, rows=rows, weight=weight):
+                return [sum(a * b for a, b in zip(row, (*x, 1))) for row in rows] + [1 + sum(a * b for a, b in zip(weight, x))]
+
+            def place(x):
+                *p, w = homogeneous(x)
+                return tuple(c / w for c in p)
+            micro = middle(mf.jack(core=Q(rng.randint(3, 6), 32)))
+            micro.cage = [mf.volume()]
+            micro.cage[0]["shape"].update(rational=True, components=4, points=[[str(c) for c in homogeneous(tuple(map(Q, x)))]
+                                                                              for x in itertools.product((0, 1), repeat=3)])
+            corners = [place(tuple((1 + c) / 3 for c in p)) for s in micro.tiles[0].patches for p in s.points[0]]
+            lo, hi = ([f(p[k] for p in corners) for k in range(3)] for f in (min, max))
+            room = [rng.choice((Q(1, 1 << 26), Q(1, 100), -Q(1, 1 << 26), Q(1, 10), Q(1, 5))) for _ in range(6)]
+            solid = Mesh().box([lo[k] - room[k] for k in range(3)], [hi[k] + room[3 + k] for k in range(3)])
+            with self.subTest(turn=turn, room=room):
+                if min(room) > 0:
+                    self.accept(micro, solid)
+                else:
+                    self.reject(micro, solid, "I1")
+
     def points_of(self, s, number):
         t = Q(number, 1 << 20)
         return [tuple(sum(c[k] * t ** j for j, c in enumerate(of)) for k in range(3)) for of in zip(*s.points)]
 
     def image(self, place, p, number):
-        """Of a point of the cell [1/3, 2/3]^3, under the trilinear map of the corners' images."""
+        """The image of a point of the cell [1/3, 2/3]^3 under the trilinear map of the corners' images."""
         x = [(1 + c) / 3 for c in p]
         out = [Q(0)] * 3
         for ends in itertools.product((0, 1), repeat=3):
@@ -200,6 +227,43 @@ class Voids(Judged):
         self.reject(middle(), solid, "I3", voids=[Void(x, corner=0)])    # the cell is empty
         self.reject(middle(), solid, "I3", voids=[Void((0, 0, 0))])
         self.reject(middle(), solid, "I3", voids=[Void((-HALF, HALF, HALF))])
+
+    def test_random_voids(self):
+        """The arms are as thick as the core, so that the tile is three boxes that cross. A void misses it, or is in it, or meets its surface."""
+        rng = random.Random(int(os.environ.get("VT_SEED", "20261129")))
+        lo, hi = Q(1, 3) + Q(1, 3) * Q(5, 16), Q(1, 3) + Q(1, 3) * Q(11, 16)
+        bars = [[(Q(1, 3), Q(2, 3)) if k == axis else (lo, hi) for k in range(3)] for axis in range(3)]
+        seen = set()
+        for turn in range(60):
+            at = [rng.choice((lo, hi)) + Q(rng.randint(-60, 60), 1024) for _ in range(3)]
+            half = [Q(rng.randint(1, 40), 2048) for _ in range(3)]
+            if rng.random() < 0.3:                         # a side comes very near to a bar
+                k = rng.randrange(3)
+                at[k] = (lo if at[k] < HALF else hi) + (1 if at[k] > HALF else -1) * (half[k] + Q(rng.choice((-1, 1)), 1 << 30))
+            hole = [[c - h for c, h in zip(at, half)], [c + h for c, h in zip(at, half)]]
+            hole = [[Q(float(c)) for c in p] for p in hole]
+            x = [(a + b) / 2 for a, b in zip(*hole)]
+            misses = all(any(hole[1][k] < bar[k][0] or bar[k][1] < hole[0][k] for k in range(3)) for bar in bars)
+            condition = None if misses else "I1" if self.meets_surface(hole, bars) else "I3"
+            corner = sum((c > HALF) << k for k, c in enumerate(x))
+            seen.add(condition)
+            solid, micro = self.solid(hole), middle(mf.jack(half=Q(3, 16), core=Q(3, 16)))
+            with self.subTest(turn=turn, hole=hole):
+                if condition is None:
+                    self.accept(micro, solid, voids=[Void([c.limit_denominator(1 << 40) for c in x], corner)])
+                else:
+                    self.reject(micro, solid, condition, voids=[Void([c.limit_denominator(1 << 40) for c in x], corner)])
+        self.assertEqual(seen, {None, "I1", "I3"})
+
+    def meets_surface(self, hole, bars):
+        """Whether a box that meets the union of the bars is not a part of its interior. Both are cut at all their coordinates."""
+        axes = [sorted({b[k][e] for b in bars for e in (0, 1)} | {hole[0][k], hole[1][k]}) for k in range(3)]
+        for i in itertools.product(*(range(len(a) - 1) for a in axes)):
+            middle_of = [(axes[k][i[k]] + axes[k][i[k] + 1]) / 2 for k in range(3)]
+            if all(hole[0][k] < middle_of[k] < hole[1][k] for k in range(3)) and not any(
+                    all(bar[k][0] < middle_of[k] < bar[k][1] for k in range(3)) for bar in bars):
+                return True
+        return any(hole[0][k] <= Q(1, 3) or hole[1][k] >= Q(2, 3) for k in range(3))
 
     def test_voids_come_in_the_order_of_shells(self):
         holes = [((Q(1, 8),) * 3, (Q(1, 4),) * 3), ((Q(3, 4),) * 3, (Q(7, 8),) * 3)]

@@ -11,49 +11,25 @@
 
 namespace {
 
-const char kCommand[] = "veritope-check MODEL CERT [ANSWERS] [--model M]";
 const char kUsage[] =
     "usage: veritope-check MODEL CERT [ANSWERS] [--model M]\n"
-    "Checks the certificate CERT about the model MODEL (STL, OBJ, PLY, OFF, vjson, itd, g2, MFEM, "
-    "vmicro,\n"
-    "or a chain file, whose operands are read, too).\n"
-    "ANSWERS is the file of classified points that the claim points-1 needs, M the mesh that the "
-    "claim\n"
-    "micro-inside-1 needs, and no other claim.\n"
-    "Prints ACCEPT with the claim and exits with 0, or REJECT with the condition that fails and "
-    "exits "
-    "with\n"
-    "1. Other exit codes: 2 usage; 3 out of memory; 4 a file cannot be opened, the reading rule "
-    "refuses\n"
-    "a model, or the answer cannot be printed; 5 a bug.\n"
+    "Checks the certificate CERT about the model MODEL (STL, OBJ, PLY, OFF, vjson, itd, g2, MFEM,\n"
+    "vmicro, or a chain file, whose operands are read, too). ANSWERS is the file of classified\n"
+    "points that the claim points-1 needs, M the mesh that micro-inside-1 needs, and no other.\n"
+    "Prints ACCEPT with the claim and exits with 0, or REJECT with the condition that fails and\n"
+    "exits with 1. Other exit codes: 2 usage; 3 out of memory; 4 a file cannot be opened, the\n"
+    "reading rule refuses a model, or the answer cannot be printed; 5 a bug.\n"
     "--claims prints the claims that it decides, with the keys of their statements.";
 
-struct Arguments {  // after MODEL and CERT
-  std::string answers, solid;
-  bool has_answers = false, has_solid = false;
-};
-// Whether that is how the program is used.
-bool read_arguments(int argc, char** argv, Arguments* to) {
-  if (argc < 3) return false;
+// third: ANSWERS and M, null where they are not given. False: the program is not used so.
+bool read_arguments(int argc, char** argv, const char** third) {
   for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const bool is_solid = i > 2 && word == "--model" && i + 1 < argc && !to->has_solid;
-    if (is_solid) to->solid = argv[++i], to->has_solid = true;
-    if (std::strncmp(argv[i], "--", 2) == 0) return false;
-    if (i < 3 || is_solid) continue;
-    if (to->has_answers) return false;
-    to->answers = word, to->has_answers = true;
+    const bool is_solid = i > 2 && i + 1 < argc && std::strcmp(argv[i], "--model") == 0;
+    i += is_solid;
+    if (std::strncmp(argv[i], "--", 2) == 0 || third[is_solid] != nullptr) return false;
+    if (i > 2) third[is_solid] = argv[i];
   }
-  return true;
-}
-// Whether the claim needs the files that are given and no others; otherwise says so.
-std::string unneeded(const Statement& s, const Arguments& given) {
-  std::string why;
-  if (s.needs_answers() != given.has_answers)
-    why = given.has_answers ? " needs no file ANSWERS" : " needs a third file, ANSWERS";
-  if (s.needs_solid() != given.has_solid)
-    why = given.has_solid ? " needs no model M" : " needs a third file, --model M";
-  return why.empty() ? why : std::string("The claim ") + s.claim->name + why + ": " + kCommand;
+  return argc > 2;
 }
 
 std::string read_file(const std::string& name) {
@@ -87,29 +63,32 @@ int main(int argc, char** argv) {
   if (argc == 2 && (first == "--help" || first == "-h")) return say(stdout, kUsage, 0);
   if (argc == 2 && first == "--version") return say(stdout, "veritope-check 1", 0);
   if (argc == 2 && first == "--claims") return say(stdout, claims_as_text(), 0);
-  Arguments given;
-  if (!read_arguments(argc, argv, &given)) return say(stderr, kUsage, 2);
+  const char* third[2] = {nullptr, nullptr};
+  if (!read_arguments(argc, argv, third)) return say(stderr, kUsage, 2);
   std::string name = argv[2];  // the file that a refusal names
   try {
     const std::string certificate = read_file(name);
     name = first;
-    std::string file = read_file(name), answers, solid;
-    if (given.has_answers) answers = read_file(name = given.answers);
-    if (given.has_solid) solid = read_file(name = given.solid);
+    std::string file = read_file(name), bytes[2];
+    for (int k = 0; k < 2; ++k)
+      if (third[k] != nullptr) bytes[k] = read_file(name = third[k]);
     name = first;
     Body body = {nullptr, nullptr};
     Statement s = read_statement(all_claims(), certificate, file, &body);
-    const std::string wrong = unneeded(s, given);
-    if (!wrong.empty()) return say(stderr, wrong, 2);
-    s.solid = std::move(solid);
-    s.solid_name = given.solid;
-    s.answers = std::move(answers);
+    for (int k = 0; k < 2; ++k)
+      if ((k == 0 ? s.needs_answers() : s.needs_solid()) != (third[k] != nullptr))
+        return say(stderr,
+                   std::string("The claim ") + s.claim->name +
+                       (third[k] != nullptr ? " needs no file " : " needs a third file, ") +
+                       (k == 0 ? "ANSWERS: veritope-check MODEL CERT [ANSWERS]"
+                               : "M: veritope-check MODEL CERT --model M"),
+                   2);
+    s.answers = std::move(bytes[0]), s.solid = std::move(bytes[1]);
+    if (s.needs_solid()) s.solid_name = third[1];
     s.model_name = name;
     s.read_file = read_file;
-    return say(
-        stdout,
-        std::string("ACCEPT ") + s.claim->name + ": " + s.claim->check(s, std::move(file), body),
-        0);
+    const std::string what = s.claim->check(s, std::move(file), body);
+    return say(stdout, std::string("ACCEPT ") + s.claim->name + ": " + what, 0);
   } catch (const Rejected& r) {
     return say(stdout, "REJECT " + r.id + ": " + r.why, 1);
   } catch (const Refused& r) {
@@ -117,8 +96,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fputs("veritope-check stops: out of memory\n", stderr);
     return 3;
-  } catch (const std::exception& e) {  // NOT COVERED: a bug of the checker
-    return say(stderr, std::string("veritope-check stops: ") + e.what(),
-               5);  // NOT COVERED: the same
-  }                 // NOT COVERED: the same
+  } catch (const std::exception& e) {                                         // NOT COVERED: a bug
+    return say(stderr, std::string("veritope-check stops: ") + e.what(), 5);  // NOT COVERED: a bug
+  }                                                                           // NOT COVERED: a bug
 }

@@ -26,8 +26,7 @@ struct Statement {
   std::map<std::string, std::string> text;
   std::map<std::string, uint64_t> number;
   std::map<std::string, bool> flag;
-  std::string answers;            // the bytes of the third file, where the claim needs one
-  std::string solid, solid_name;  // the bytes and the name of the file of --model, likewise
+  std::string answers, solid, solid_name;  // bytes of ANSWERS, or of M and its name, where needed
   std::string model_name;
   std::function<std::string(const std::string& name)> read_file;  // for files that the model names
   bool needs_answers() const { return text.count("answers_sha256") != 0; }

@@ -88,7 +88,6 @@ void check_form(const std::vector<Claim>& claims, Statement* s) {
   require(s->text["tool"].size() <= 200, "S1", "tool is longer than 200 bytes");
   require(is_hash(s->text["subject_sha256"]) && is_hash(s->text["body_sha256"]), "S1", "no hash");
   require(!s->needs_answers() || is_hash(s->text["answers_sha256"]), "S1", "no hash of the answers");
-  require(!s->needs_solid() || is_hash(s->text["model_sha256"]), "S1", "no hash of the model");
   require(is_among(s->text["subject_format"], c->formats), "S1", "unknown subject_format");
   if (c->check_values != nullptr) c->check_values(*s);
 }

@@ -4,8 +4,8 @@
 #include "micro_double.h"
 #include "micro_meet.h"
 
-// The other side of the wall where a bridge starts. Coordinate k there is placed[k], of coordinate source[k] in the unit
-// cube of the cell; the one across the front, `axis`, is `front`.
+// The other side of the wall where a bridge starts. Coordinate k there is placed[k] of coordinate source[k] in the
+// cell's unit cube; the one across the front, `axis`, is `front`.
 struct OtherSide {
   uint64_t volume = 0;
   size_t axis = 0;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 #include "micro_double.h"
 
-#include <limits>
-
 namespace {
 
 // abs(a) is m 2^*exponent but for a relative error of less than 2^-51; 2^63 <= m <= 2^64. REQUIRES a != 0.

@@ -4,8 +4,14 @@
 // 2^-1070, which is far less than what is added here for it.
 #pragma once
 #include <cmath>
+#include <limits>
 
 #include "../patches/big.h"
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "infinite values and values that are no numbers mean something here"
+#endif
+static_assert(std::numeric_limits<double>::is_iec559, "IEEE 754");
 
 struct Span {  // a number lies between these
   double lo, hi;

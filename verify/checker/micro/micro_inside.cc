@@ -60,11 +60,13 @@ InsideBody read_inside(const MicroFile& file, const Body& body) {  // B1, B2
 }  // namespace
 
 void check_inside_values(const Statement& s) {
+  const std::string& hash = s.text.at("model_sha256");
+  require(hash.size() == 64 && hash.find_first_not_of("0123456789abcdef") == std::string::npos,
+          "S1", "no hash of the model");
   const std::string &format = s.text.at("model_format"), &skin = s.text.at("skin");
   require(format == "stl" || format == "obj" || format == "ply" || format == "off", "S1",
           "unknown model_format");
-  require(skin == "-" ? s.number.at("bridges") == 0 : s.number.at("bridges") > 0 && is_skin(skin),
-          "S1", "skin is no rational number, or not - without bridges");
+  require(skin == "-" || is_skin(skin), "S1", "skin is no rational number");
 }
 
 std::string check_micro_inside(const Statement& s, std::string text, const Body& body) {
@@ -89,7 +91,8 @@ std::string check_micro_inside(const Statement& s, std::string text, const Body&
   check_shells(structure.shells, model, &off);
   check_voids(parts.voids, file, model, solid, &maps);
   const bool has_skin = s.text.at("skin") != "-";
-  require(has_skin || file.bridges.empty(), "I4", "there are bridges, but no skin");
+  require(has_skin != file.bridges.empty(), "I4",
+          "there is a skin without bridges, or the reverse");
   if (has_skin) check_skin(file, triangles, &maps, read_number(s.text.at("skin")));
   return compared(s, structure.numbers);
 }

@@ -23,6 +23,12 @@ VolumeMaps::VolumeMaps(const std::vector<Entity>& cage)
         cells_[v].breaks[a].push_back(t[i]);
         units_[v].knots[a].push_back(span_of(ratio_quotient(t[i] - t[0], length)));
       }
+      std::vector<Span>& spans = units_[v].knots[a];  // so that both bounds never decrease
+      for (size_t i = 1; i < spans.size(); ++i) {
+        spans[i].hi = std::max(spans[i].hi, spans[i - 1].hi);
+        const size_t back = spans.size() - 1 - i;
+        spans[back].lo = std::min(spans[back].lo, spans[back + 1].lo);
+      }
     }
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // micro_maps.h: the maps of the cage's volumes, in the boxes that their knots cut.
 #pragma once
+#include <array>
+
 #include "micro.h"
 #include "micro_net.h"
 
@@ -12,7 +14,7 @@ class VolumeMaps {
   const std::vector<Ratio>& knots(uint64_t volume, size_t axis) const {
     return cells_[volume].breaks[axis];
   }
-  // The same, where the domain is [0, 1].
+  // These knots where the domain is brought to [0, 1].
   const std::vector<Span>& unit_knots(uint64_t volume, size_t axis) const {
     return units_[volume].knots[axis];
   }
@@ -30,7 +32,7 @@ class VolumeMaps {
   std::vector<VCell> cells_;
   std::vector<Unit> units_;
   std::vector<std::unique_ptr<PieceCutter>> cutters_;
-  Units work_;  // the certificate's part about the cage has a limit; here is none
+  Units work_;  // not limited here; the part about the cage has its own limit
   std::map<std::array<uint64_t, 4>, DoubleNet> known_;
   size_t numbers_ = 0;  // of these nets
 };

@@ -32,7 +32,7 @@ void restrict_net(DoubleNet* net, size_t axis, double a, double b) {
   if (net->n[axis] == 1 || (a <= 0 && b >= 1)) return;
   const double size = net->size();
   if (b < 1) cut_net(net, axis, b, true);
-  // Of [0, b] the part from t on, t <= a / b.
+  // Keeps the part from t on, in the parameters where [0, b] is [0, 1]; t <= a / b.
   const double t = a <= 0 ? 0 : std::max(0.0, a / b * (1 - std::ldexp(1.0, -49)) - kTiny);
   if (t > 0) cut_net(net, axis, std::min(t, 1.0), false);
   net->error += std::ldexp(double(net->n[axis]) * size, -46) + kTiny;  // more than twice the bound

@@ -20,6 +20,8 @@ DoubleNet net_of_bridge(const MicroBridge& bridge, const Entity& volume, bool is
 // The halves of a net of parameters along the axis.
 void halve_net(const DoubleNet& net, size_t axis, DoubleNet* lower, DoubleNet* upper);
 
+// A patch of a tile lies in one box of knots. Where its box touches another one, the points there are among those here:
+// the map is continuous, and its coefficients on a face are those of the face.
 class OffSurface {
  public:
   OffSurface(const MicroFile& file, const Triangles& triangles, VolumeMaps* maps);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// micro_triangles.cc: which points are apart from triangles, or near to one; docs/certificates/micro-inside.md, sections
-// 3 and 6.
+// micro_triangles.cc: which points are apart from triangles, or near to one; docs/certificates/micro-inside.md,
+// sections 3 and 6.
 #include <cstring>
 
 #include "micro_net.h"
@@ -109,8 +109,8 @@ double distance(Point3 p, const double (*t)[3]) {
     size = std::max(size, std::abs(t[0][k]) + std::abs(t[1][k]) + std::abs(t[2][k]));
   }
   const double r = std::sqrt(square);
-  // If sum is 0 or overflows, r is no number. Weights that are not exact move the point along the triangle only, but
-  // for a sum that is 1 up to 2^-48.
+  // If sum is 0 or overflows, r is not a number, and no comparison holds. Weights that are not exact move the point
+  // along the triangle only, but for a sum that is 1 up to 2^-48.
   return r + std::ldexp(r, -45) + std::ldexp(size + largest(p), -44) + 1e-140;
 }
 

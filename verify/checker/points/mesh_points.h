@@ -34,8 +34,8 @@ class MeshPoints {
   };
   // Adds the units of section 5. If only they matter there is no answer.
   Winding winding(const Point& q, int direction, bool units_matter_only, Work* work) const;
-  // The winding numbers of classes of triangles, those that are not 0; of_face: the class of each triangle. None if the
-  // point is on a triangle; then *is_on. Adds the same units.
+  // The winding numbers of classes of triangles, those that are not 0; of_face: the class of each triangle. If the
+  // point is on a triangle, *is_on becomes true and no class is named. Adds the same units.
   std::map<uint32_t, int64_t> windings(const Point& q, int direction,
                                        const std::vector<uint32_t>& of_face, Work* work,
                                        bool* is_on) const;

@@ -132,7 +132,7 @@ class Soak:
             return
         node = rng.choice(("1/5", "1/8", "1/4"))
         tile = f"jack,node={node},cap={rng.choice(('1/8', '1/16', '1/10'))},degree={rng.choice((1, 3))}"
-        counts = [rng.randint(3, 12) for _ in range(3)]
+        counts = [rng.randint(4, 12) for _ in range(3)]
         status, text = self.run("micro", "--cage", self.cage, "--tile", tile, "--counts", ",".join(map(str, counts)), "--model", self.model,
                                 "--list", self.list, "-o", self.out)
         if status not in (0, 3):

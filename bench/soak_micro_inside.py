@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Microstructures inside of random solids: what `veritope micro --model` keeps is proved inside, and false claims are not.
+"""Microstructures inside of random solids: what `veritope micro --model` keeps is proved inside, and false claims are
+not.
 
 usage: soak_micro_inside.py BIN_FOLDER --rounds N --seed S [--python-share P]
-Solids are unions of cubes with tunnels, notches and voids, and spheres with bubbles, scaled and sheared. Cages are boxes, hulls and rings.
-Each round: the microstructure must be VALID with --model, the C++ checker accepts it, and a share goes to the Python checker. In box cages
-bubbles are cut into the solid: in the corner of a cell, where the answer must stay VALID; in a node and across arms, where it must
-not be. Nor may it be for the solid moved away by its width, or shrunk below the size of a tile. One JSON line a kind.
+Solids are unions of cubes with tunnels, notches and voids, and spheres with bubbles, scaled and sheared. Cages are
+boxes, hulls and rings. Each round: the microstructure must be VALID with --model, the C++ checker accepts it, and a
+share goes to the Python checker. In box cages bubbles are cut into the solid: in the corner of a cell, where the answer
+must stay VALID; in a node and across arms, where it must not be. Nor may it be for the solid moved away by its width,
+or shrunk below the size of a tile. One JSON line a kind.
 """
 import argparse
 import csv
@@ -44,7 +46,8 @@ def polycube(rng):
     cubes = set(itertools.product(*map(range, size)))
     for _ in range(rng.randint(0, 4)):
         axis, at = rng.randrange(3), [rng.randrange(n) for n in size]
-        hole = {tuple(at)} if rng.random() < .5 else {tuple(i if a == axis else at[a] for a in range(3)) for i in range(size[axis])}
+        line = {tuple(i if a == axis else at[a] for a in range(3)) for i in range(size[axis])}
+        hole = {tuple(at)} if rng.random() < .5 else line
         if len(cubes - hole) > 2:
             cubes -= hole
     numbers, faces = {}, []
@@ -64,7 +67,8 @@ def sphere(rng, radius, middle, turned):
     for j in range(1, up):
         for i in range(around):
             a, b = 2 * math.pi * i / around, math.pi * j / up - math.pi / 2
-            points.append((radius * math.cos(a) * math.cos(b), radius * math.sin(a) * math.cos(b), radius * math.sin(b)))
+            unit = (math.cos(a) * math.cos(b), math.sin(a) * math.cos(b), math.sin(b))
+            points.append(tuple(radius * x for x in unit))
     at = lambda i, j: 0 if j == 0 else 1 if j == up else 2 + (j - 1) * around + i % around  # noqa: E731
     faces = []
     for j in range(up):
@@ -79,7 +83,8 @@ def sphere(rng, radius, middle, turned):
 def hollow_sphere(rng):
     parts = [sphere(rng, 1.0, (0, 0, 0), False)]
     for sign in (-1, 1)[:rng.randint(0, 2)]:
-        parts.append(sphere(rng, rng.choice((.05, .2, .4)), (sign * .45, rng.uniform(-.1, .1), rng.uniform(-.1, .1)), True))
+        middle = (sign * .45, rng.uniform(-.1, .1), rng.uniform(-.1, .1))
+        parts.append(sphere(rng, rng.choice((.05, .2, .4)), middle, True))
     return joined(*parts)
 
 
@@ -102,10 +107,12 @@ class Soak:
         self.options, self.bin = options, pathlib.Path(options.bin).resolve()
         self.model, self.other, self.cage, self.out, self.list, self.certificate = (
             folder / name for name in ("m.off", "other.off", "cage.vjson", "out.vmicro", "list.csv", "out.cert"))
-        self.counts = dict.fromkeys(("rounds", "empty", "kept", "failures", "lies", "accepted_lies", "bubbles", "refused_bubbles", "python", "python_rejects"), 0)
+        self.counts = dict.fromkeys(("rounds", "empty", "kept", "failures", "lies", "accepted_lies", "bubbles",
+                                     "refused_bubbles", "python", "python_rejects"), 0)
 
-    def run(self, *arguments, program="veritope"):
-        done = subprocess.run([self.bin / program, *map(str, arguments)], capture_output=True, text=True, timeout=600, check=False)
+    def run(self, *arguments):
+        done = subprocess.run([self.bin / "veritope", *map(str, arguments)], capture_output=True, text=True,
+                              timeout=600, check=False)
         return done.returncode, done.stdout + done.stderr
 
     def verdict(self, model):
@@ -133,12 +140,12 @@ class Soak:
         node = rng.choice(("1/5", "1/8", "1/4"))
         tile = f"jack,node={node},cap={rng.choice(('1/8', '1/16', '1/10'))},degree={rng.choice((1, 3))}"
         counts = [rng.randint(4, 12) for _ in range(3)]
-        status, text = self.run("micro", "--cage", self.cage, "--tile", tile, "--counts", ",".join(map(str, counts)), "--model", self.model,
-                                "--list", self.list, "-o", self.out)
+        status, text = self.run("micro", "--cage", self.cage, "--tile", tile, "--counts", ",".join(map(str, counts)),
+                                "--model", self.model, "--list", self.list, "-o", self.out)
         if status not in (0, 3):
             return self.complain(seed, f"micro ends with {status}", text)
         with open(self.list, newline="") as file:
-            kept = [tuple(int(row[k]) for k in ("i", "j", "k")) for row in csv.DictReader(file) if row["status"] == "kept"]
+            kept = [tuple(int(row[k]) for k in "ijk") for row in csv.DictReader(file) if row["status"] == "kept"]
         if not kept:
             self.counts["empty"] += 1
             return
@@ -157,7 +164,8 @@ class Soak:
         if rng.random() >= self.options.python_share:
             return
         self.counts["python"] += 1
-        done = subprocess.run([sys.executable, "-B", PYTHON_CHECKER, self.out, self.certificate, "--model", self.model], capture_output=True, text=True, check=False)
+        done = subprocess.run([sys.executable, "-B", PYTHON_CHECKER, self.out, self.certificate, "--model", self.model],
+                              capture_output=True, text=True, check=False)
         if done.returncode != 0:
             self.counts["python_rejects"] += 1
             self.complain(seed, "the Python checker", done.stdout)
@@ -181,7 +189,8 @@ class Soak:
             self.complain(seed, f"{name}: {verdict}", text)
 
     def bubbles(self, rng, seed, mesh, counts, cell):
-        corners = [[float(fractions.Fraction(x)) for x in p] for p in json.loads(self.cage.read_text())["entities"][0]["shape"]["points"]]
+        points = json.loads(self.cage.read_text())["entities"][0]["shape"]["points"]
+        corners = [[float(fractions.Fraction(x)) for x in p] for p in points]
         low, high = corners[0], corners[-1]
         sizes = [(high[a] - low[a]) / counts[a] for a in range(3)]
         at = lambda t: [low[a] + (cell[a] + t[a]) * sizes[a] for a in range(3)]  # noqa: E731
@@ -212,9 +221,12 @@ def main():
         for n in range(options.rounds):
             soak.round(options.seed * 1000003 + n)
     c = soak.counts
-    for name, value, more in (("not_proved", c["failures"] + c["refused_bubbles"], ("rounds", "empty", "kept", "failures", "bubbles", "refused_bubbles")),
-                              ("accepted_lies", c["accepted_lies"], ("lies",)), ("python_rejects", c["python_rejects"], ("python",))):
-        print(json.dumps({"name": f"micro_inside_{name}", "value": value, "goal": "0", **{key: c[key] for key in more}}))
+    for name, value, more in (
+            ("not_proved", c["failures"] + c["refused_bubbles"],
+             ("rounds", "empty", "kept", "failures", "bubbles", "refused_bubbles")),
+            ("accepted_lies", c["accepted_lies"], ("lies",)), ("python_rejects", c["python_rejects"], ("python",))):
+        more = {key: c[key] for key in more}
+        print(json.dumps({"name": f"micro_inside_{name}", "value": value, "goal": "0", **more}))
 
 
 if __name__ == "__main__":

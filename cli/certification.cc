@@ -163,6 +163,9 @@ class Certification {
     if (certified->copy) set_copy(std::move(*certified->copy));
     report_.boundary_faces = std::move(certified->boundary_faces);
     if (certified->verdict == Verdict::kUndecided) {
+      Finding& first = certified->findings.front();
+      if (first.code == "model-invalid")
+        first.message = settings_.inside->report.path + ": " + first.message;
       give_up(kExitUndecided, certified->findings.front());
       report_.reasons = std::move(certified->findings);
       if (settings_.model != nullptr) *settings_.model = std::move(model_);

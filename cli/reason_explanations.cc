@@ -114,6 +114,20 @@ constexpr auto kReasons = std::to_array<ReasonText>({
      "faces have no area or are left out as walls.",
      "The message says what is not covered. Export trimmed faces untrimmed, or as a mesh; veritope "
      "convert --faces writes the faces of volumes alone."},
+    {"not-inside", "microstructure not proved to be inside",
+     "With --model M: the microstructure was proved to be a solid, but not to lie in the "
+     "interior of M. The message names the condition of the certificate's page (I1 to I4), the "
+     "place and the triangle of M. It may lie there, or not. Status 3.",
+     "A tile or a bridge that crosses or touches M or comes very near it, another model than "
+     "the one it was made for, a void of M in a tile, a void off the cage.",
+     "Make it again by veritope micro --model M, which keeps tiles that are proved to lie in "
+     "M; look at the place."},
+    {"model-invalid", "model that bounds no solid",
+     "With --model M: M is not proved to bound a solid, so that nothing can be said to lie in "
+     "its interior. Status 3.",
+     "A mesh that is open, crosses itself, or faces the wrong way.",
+     "veritope certify M says what is wrong with it; --orient auto and export settings may "
+     "repair it."},
     {"no-collar", "no octree collar found",
      "The model is decided, and --collar found no cells around the surface that form a collar. The "
      "verdict and its "

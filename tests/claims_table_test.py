@@ -21,6 +21,7 @@ import every_claim  # noqa: E402
 import fold_liars  # noqa: E402
 import invalid_liars  # noqa: E402
 import meeting_liars  # noqa: E402
+import micro_inside_liars  # noqa: E402
 import micro_liars  # noqa: E402
 import patch_liars  # noqa: E402
 import points_liars  # noqa: E402
@@ -46,6 +47,10 @@ def of_patches(source):
     return lambda rng: ((model, certificate) for _, model, certificate in source(rng))
 
 
+def of_models(source):
+    return lambda rng: ((subject, certificate, model) for _, subject, certificate, model in source(rng))
+
+
 def turned_shells(rng):
     return ((case.bytes, case.certificate(plan)) for case, plan in patch_liars.told_as_turned(rng))
 
@@ -67,6 +72,7 @@ LIARS = {
     "collar-2": of_patches(collar_liars.lies_about_a_collar_2),
     "vmodel-1": of_patches(vmodel_liars.vmodel_attacks),
     "microstructure-1": of_patches(micro_liars.micro_attacks),
+    "micro-inside-1": of_models(micro_inside_liars.inside_attacks),
     "vmodel-invalid-1": of_patches(vmodel_invalid_liars.invalid_cells_attacks),
 }
 
@@ -97,16 +103,17 @@ class Claims(unittest.TestCase):
     def test_every_claim_has_liars_and_both_checkers_reject_them(self):
         self.assertEqual(sorted(LIARS), sorted(row[0] for row in table_of(CHECKERS[0])))
         with tempfile.TemporaryDirectory() as folder:
-            model, certificate, answers = (pathlib.Path(folder) / name for name in ("model", "certificate", "answers"))
+            model, certificate, third = (pathlib.Path(folder) / name for name in ("model", "certificate", "third"))
             for claim, source in LIARS.items():
                 model.write_bytes(b"")
                 for subject, lie, *more in source(random.Random(1)):
                     self.assertEqual(json.loads(lie.split(b"\n", 1)[0])["claim"], claim)
                     model.write_bytes(subject)
                     certificate.write_bytes(lie)
-                    files = [model, certificate, *([answers] if more else [])]
+                    option = ["--model"] if claim in every_claim.SOLIDS else []
+                    files = [model, certificate, *(option + [third] if more else [])]
                     for data in more:
-                        answers.write_bytes(data)
+                        third.write_bytes(data)
                     for checker in CHECKERS:
                         status, text = every_claim.output_of(*checker, *files)
                         self.assertEqual((status, text[:7]), (1, "REJECT "), f"{claim}: {checker}: {text}")

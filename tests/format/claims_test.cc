@@ -164,6 +164,11 @@ MicroBody micro() {
   return b;
 }
 
+MicroInsideBody micro_inside(const ValidBody& solid) {
+  const Fraction half{false, {1}, {2}}, odd{true, {3, 1}, {7, 9}};
+  return {micro(), solid, {{7, {half, odd, half}, 8}, {0, {odd, odd, half}, 3}}};
+}
+
 // A body of each kind of finding.
 std::vector<VModelInvalidBody> invalid_vmodels() {
   const CellPoint a{3, {{{0, {0, 1}}, {300, {1, 2}}, {1, {3, 7}}}}};
@@ -206,6 +211,9 @@ std::map<std::string, Example, std::less<>> examples() {
   q.patches = 6;
   const ModelKinds mixed{{false, true, false}};
   std::map<std::string, Example, std::less<>> all;
+  const MicroInsideBody inside = micro_inside(valid);
+  all["micro-inside-1"] = {
+      encode(subject, MicroQuantities{}, InsideStatement{}, inside), {inside}, {}};
   all["mesh-valid-1"] = {encode(subject, Quantities{}, valid), {valid}, {}};
   all["mesh-invalid-1"] = {encode(subject, broken), {broken}, {}};
   valid.num_vertex_ids = 2;  // fewer, so that the bits of ten triangles fill two bytes

@@ -275,6 +275,7 @@ void expect_points_in(const Microstructure& micro, const Box3d& box) {
     }
 }
 
+// PROVES MICRO-2
 // Random structures in random cages: a box around all of them holds them; what is proved to be inside is inside where
 // points of the tiles tell; the answer does not depend on the number of threads.
 TEST(MicroInside, RandomStructuresAreInsideOnlyIfTheirPointsAre) {

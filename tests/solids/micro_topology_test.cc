@@ -202,6 +202,62 @@ TEST(MicroTopology, FineGridsMeetCoarseOnes) {
   EXPECT_EQ(counts_of(micro).components, 2u);
 }
 
+// A box whose cap in wall 0, or 1, is a ring around a dent. Patches: four sides, the far face, four of the dent's sides,
+// its bottom, four of the ring.
+MicroTile bowl(bool is_at_end) {
+  const auto corner = [&](int x, int half, std::size_t i) {
+    constexpr std::array<std::array<int, 2>, 4> kSigns = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+    return micro_cells::at(is_at_end ? 64 - x : x, 32 + half * kSigns[i % 4][0],
+                           32 + half * kSigns[i % 4][1]);
+  };
+  MicroTile out;
+  const auto add = [&](const TilePoint& a, const TilePoint& b, const TilePoint& c,
+                       const TilePoint& d) {
+    out.patches.push_back(is_at_end ? micro_cells::square(d, c, b, a)
+                                    : micro_cells::square(a, b, c, d));
+  };
+  // Rings of corners at a height over the wall and half a width, and the strips between two of them.
+  const auto strips = [&](int x, int half, int x2, int half2) {
+    for (std::size_t i = 0; i < 4; ++i)
+      add(corner(x, half, i), corner(x, half, i + 1), corner(x2, half2, i + 1),
+          corner(x2, half2, i));
+  };
+  const auto lid = [&](int x, int half, bool is_turned) {
+    const std::size_t b = is_turned ? 3 : 1;
+    add(corner(x, half, 0), corner(x, half, b), corner(x, half, 2), corner(x, half, 4 - b));
+  };
+  strips(0, 24, 32, 24);
+  lid(32, 24, false);
+  strips(8, 8, 0, 16);
+  lid(8, 8, true);
+  strips(0, 16, 0, 24);
+  return out;
+}
+
+TEST(MicroTopology, EachShellHasAFirstPatch) {
+  Microstructure micro = full({cube(0, 0, 0)}, {3, 1, 1}, bowl(true));
+  micro.tiles.push_back(bowl(false));
+  micro.grids[0].tiles = {2, 1, 2};
+  std::vector<AnalysedTile> tiles;
+  for (const MicroTile& t : micro.tiles) {
+    const auto analysed = analyse_tile(t);
+    const auto* const defect = std::get_if<TileDefect>(&analysed);
+    ASSERT_EQ(defect, nullptr) << defect->condition << defect->message;
+    tiles.push_back(std::get<AnalysedTile>(analysed));
+  }
+  std::vector<CellPatch> first;
+  const auto counts =
+      topology_of(micro, make_v_model(micro.cage, VOrientation::kAuto).value(), tiles, &first);
+  // One bowl alone; two that enclose a hole, whose surface begins with a side of a dent.
+  EXPECT_EQ(std::get<MicroCounts>(counts).shells, 3u);
+  EXPECT_EQ(std::get<MicroCounts>(counts).components, 2u);
+  EXPECT_EQ(first, (std::vector<CellPatch>{{0, 0, 0}, {0, 1, 0}, {0, 1, 5}}));
+  first.clear();
+  micro.grids[0].tiles = {2, 0, 2};
+  topology_of(micro, make_v_model(micro.cage, VOrientation::kAuto).value(), tiles, &first);
+  EXPECT_EQ(first, (std::vector<CellPatch>{{0, 0, 0}, {0, 2, 0}}));
+}
+
 TEST(MicroTopology, ShellsThatCapsCutApartAreJoinedAgain) {
   // A box between two walls: without its caps it is a tube, one shell. Three of them on each other: one shell.
   const MicroCounts c =

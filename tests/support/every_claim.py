@@ -27,11 +27,19 @@ COMMANDS = {
     "vmodel-1": (PATCHES / "left_handed_nearest_valid.itd", "--orient", "auto"),
     "vmodel-invalid-1": (PATCHES / "left_handed_smallest.itd", "--orient", "keep"),
     "microstructure-1": (MODELS / "micro" / "three_cells.vmicro",),
+    "micro-inside-1": (MODELS / "micro" / "three_cells.vmicro",),
 }
 
 
 # claim: the points that are classified
 POINTS = {"points-1": "0 0 0\n0.5 0.25 1/3\n1e3 0 0\n"}
+
+
+# claim: the solid in whose interior the model lies, an OFF file: a box with a bubble in a corner of the first cell
+SOLIDS = {"micro-inside-1": "OFF\n16 12 0\n" + "".join(
+    f"{x} {y} {z}\n" for lo, hi in ((-1, 4), (.0625, .125)) for x, y, z in itertools.product((lo, hi), repeat=3)) + "".join(
+    f"4 {' '.join(str(i + at) for i in face[::turn])}\n" for at, turn in ((0, 1), (8, -1))
+    for face in ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)))}
 
 
 # The unit cube: corner number i; its faces, outward, each by its corners, u fastest.
@@ -102,6 +110,11 @@ def assert_every_claim(test, veritope, checkers, folder):
                 points, answers = folder / f"{claim}.points", (folder / f"{claim}.answers",)
                 points.write_text(POINTS[claim])
                 command = "classify", "--no-check", subject, points, "-o", *answers
+            elif claim in SOLIDS:
+                solid = folder / f"{claim}.off"
+                solid.write_text(SOLIDS[claim])
+                answers = ("--model", solid)
+                command = "certify", "--no-check", subject, *answers
             else:
                 command = "certify", "--no-check", subject
             status, text = output_of(veritope, *command, *options, "--certificate", certificate)

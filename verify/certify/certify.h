@@ -80,8 +80,8 @@ struct Certified {
   /// VALID: empty. INVALID: what is proved wrong; of meshes at most max_findings for each rule. UNDECIDED: the reasons,
   /// named ones first ("side-t-junction"; at most 19), and at last "not-certified" (neither proved right nor wrong),
   /// "cell-limit" or "memory-limit" (a limit of the options ended the search), or "not-covered" (no certificate can
-  /// speak of such a file). With `inside`, also "not-inside" (not proved to lie in the model), and "model" (the model is
-  /// not proved to bound a solid).
+  /// speak of such a file). With `inside`, also "not-inside" (not proved to lie in the model), and "model-invalid" (the
+  /// model is not proved to bound a solid).
   std::vector<Finding> findings;
   Facts facts;
   certificate::Bytes certificate;  ///< empty iff the verdict is kUndecided

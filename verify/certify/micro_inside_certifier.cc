@@ -37,7 +37,9 @@ std::optional<Finding> model_defect(const MeshFile& model, const ValidityReport&
                                             ", which checkers do not read; convert it to .off");
   if (report.is_valid) return std::nullopt;
   const DefectList list = list_defects(model.mesh, report);
-  Finding out = model_finding("model", "the model is INVALID");
+  Finding out;
+  out.code = "model-invalid";
+  out.message = "the model is INVALID";
   if (!list.defects.empty())
     out.message += ": " + list.defects.front().code + ": " + list.defects.front().message;
   return out;
@@ -58,7 +60,9 @@ InsideModel shells_of(const TriangleMesh& mesh, const ValidityReport& report, un
 
 // The finding with the cell's box, or the bridge's volume, in the parameters of the cage.
 Finding finding_of_defect(const Microstructure& micro, const InsideDefect& defect) {
-  Finding out = model_finding("not-inside", std::string(defect.condition) + ": " + defect.message);
+  Finding out;
+  out.code = "not-inside";
+  out.message = std::string(defect.condition) + ": " + defect.message;
   if (!defect.patch) return out;
   const MicroGrid& grid = micro.grids[defect.patch->grid];
   const auto at = grid.shape().index_of(defect.patch->cell);

@@ -36,7 +36,7 @@ void write_tile(internal::ByteWriter& w, const MicroTileProof& tile) {
   w.raw(boxes);
 }
 
-// Nothing if the bytes are no proof; then r has failed, or the proof of star boxes is none.
+// Nothing if the bytes are no proof; then r has failed, or the bytes of the star boxes are malformed.
 std::optional<MicroTileProof> read_tile(ByteReader& r) {
   const std::uint8_t kind = r.u8();
   if (kind == kStar) {

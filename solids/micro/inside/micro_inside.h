@@ -51,7 +51,7 @@ struct InsideLimits {
   std::uint64_t pairs = std::uint64_t{1} << 29;  ///< of nodes and triangles whose boxes meet
 };
 
-/// The proof, or why there is none; both are the same for every number of jobs.
+/// The proof, or what is missing for it; both are the same for every number of jobs.
 /// REQUIRES that topology_of accepts the microstructure with these tiles, and said these first patches; a mesh that
 /// bounds a solid, with fewer than 2^30 faces; bridges as the page of microstructures demands.
 /// @cost  near-linear in the facets, 600 bytes each; in the cells near the mesh, a few microseconds a patch

@@ -3,6 +3,7 @@
 // caps alone. The conditions R1 to R4 of docs/certificates/microstructure.md. Theory: docs/THEORY.md, MICRO-1.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,6 +26,11 @@ struct BridgeDefect {
   std::size_t bridge = 0;
   std::string message;
 };
+
+/// What a bridge costs a checker: (p + 1)(q + 1)(1 + h)^2 / 64, h the bits of its longest number. The sum over all bridges
+/// may be at most kMaxBridgeCost.
+std::uint64_t bridge_cost(const MicroBridge& bridge);
+inline constexpr std::uint64_t kMaxBridgeCost = std::uint64_t{1} << 36;
 
 /// One for each bridge, in their order.
 /// REQUIRES validate(micro); that the cage is that of micro and the tiles are its analysed tiles; that topology_of finds

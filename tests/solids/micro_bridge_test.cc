@@ -239,10 +239,13 @@ TEST(Bridges, StayInTheOpenBoxBeyondTheWall) {
   s.add({0, 0, 1}, part(3, 4));  // ends in the face of the volume
   EXPECT_EQ(s.condition(), "R3");
   s.micro.bridges.clear();
-  MicroBridge& b = s.add({0, 0, 1}, part(1, 2));
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) b.points[b.at(i, j, 1)][0] = part(1, 4);  // in the wall's plane
-  EXPECT_EQ(s.condition(), "R3");
+  MicroBridge b = s.add({0, 0, 1}, part(1, 2));
+  const BridgeFront front = front_of(s.micro, s.cage, b.cap).value();
+  EXPECT_TRUE(is_in_open_box(b, s.micro.cage[0], front));
+  b.points[b.at(0, 1, 2)][0] = part(1, 4);  // in the wall's plane
+  EXPECT_FALSE(is_in_open_box(b, s.micro.cage[0], front));
+  b.points[b.at(0, 1, 2)] = {part(1, 2), Rational(1), part(1, 2)};  // in another face
+  EXPECT_FALSE(is_in_open_box(b, s.micro.cage[0], front));
 }
 
 // PROVES MICRO-1.R3
@@ -272,6 +275,7 @@ TEST(Bridges, OnlyTheFirstSliceMayTouchTheOwnCell) {
   const TileCells cells(s.micro);
   BridgeSlices first(straight), second(back), third(straight);
   EXPECT_TRUE(cut_off_tiles(cells, place, front, first));
+  ASSERT_TRUE(second.halve(0));
   EXPECT_FALSE(cut_off_tiles(cells, place, front, second));
   BridgeFront glued = front;  // behind a glued face no slice is excepted
   glued.is_in_face = true;

@@ -64,7 +64,8 @@ struct Lattice {
         std::array<Rational, 3> at;
         for (std::size_t a = 0; a < 3; ++a)
           at[a] = grid.breaks[a][shape.index_of(c)[a] + (corner >> a & 1)];
-        for (const Rational& x : point(volume, at).value())
+        const std::vector<Rational> image = point(volume, at).value();
+        for (const Rational& x : image)
           if (x <= lo || hi <= x) grid.tiles[c] = 0;
       }
   }
@@ -242,10 +243,8 @@ TEST(BuildBridges, MeshesAreSolidsWithTheNumbersOfTheTiles) {
 
 TEST(BuildBridges, ComponentsThatNoBridgeHoldsAreRemoved) {
   Lattice lattice(6, cage_volume(0, false), tenths(1), tenths(9));
-  const auto bridges = [&] {
-    lattice.build();
-    return lattice.micro.bridges;
-  }();
+  lattice.build();
+  const std::vector<MicroBridge> bridges = lattice.micro.bridges;
   lattice.micro.bridges = {bridges.front()};
   MicroGrid& grid = lattice.micro.grids[0];
   std::fill(grid.tiles.begin(), grid.tiles.end(), std::uint8_t{0});

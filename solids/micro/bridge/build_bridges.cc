@@ -11,7 +11,7 @@
 #include "interval/functions.h"
 #include "interval/upward.h"
 #include "robust/base/parallel.h"
-#include "solids/micro/bridge/bridge_clearance.h"
+#include "solids/micro/bridge/bridge_clearance_internal.h"
 #include "solids/micro/bridge/bridge_matrix.h"
 #include "solids/micro/bridge/bridge_proof.h"
 #include "solids/micro/bridge/bridge_proposals_internal.h"

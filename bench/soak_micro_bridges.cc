@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/soak_micro_bridges.cc: --rounds N --seed S. Bridges from jacks in random cages to the skins of random solids:
-// star-shaped ones with bumps, and tori, of a few thousand facets. Wrong: a bridge that prove_bridges does not prove; an
-// exact point of a bridge that is not in the interior of the solid; one of an end face farther from the surface than
-// the skin; a mesh of the whole that is not VALID with the numbers of the tiles. One JSON line: caps, bridges, those
-// dropped by reasons, and how many tries with positive determinants got a matrix. Seeds of what is wrong go to standard
-// error.
+// star-shaped ones with bumps, and tori, of a few thousand facets. Wrong: a bridge that prove_bridges does not prove;
+// an exact point of a bridge that is not in the interior of the solid; one of an end face farther from the surface
+// than the skin; a mesh of the whole that is not VALID with the numbers of the tiles. One JSON line: caps, bridges,
+// those dropped by reasons, and how many tries with positive determinants got a matrix. Seeds of what is wrong go to
+// standard error.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "robust/base/random.h"
 #include "solids/classify/mesh_classifier.h"
 #include "solids/classify/mesh_projection.h"
 #include "solids/micro/bridge/bridge_proof.h"
@@ -15,6 +16,7 @@
 #include "solids/polyhedron/validity.h"
 #include "splines/de_boor.h"
 #include "splines/de_casteljau.h"
+#include "tests/support/approx_distance.h"
 #include "tests/support/micro_cells.h"
 
 namespace veritope {
@@ -195,8 +197,9 @@ TEST(BuildBridges, CapsThatNearlyTouchTheSurfaceAreFlat) {
   EXPECT_TRUE(lattice.micro.bridges.empty());
 }
 
-TEST(BuildBridges, AKinkIsEnclosedAtACrease) {
-  // Two spans of degree 1: beyond u = 1/2, the line along u rises with the slope 1/2: 26.565 degrees.
+// Two spans of degree 1: beyond u = 1/2, the line along u rises with the slope 1/2: 26.565 degrees. Of ten cells along u
+// the first `kept` may have tiles, and the solid ends at x = `end`.
+Lattice creased(std::size_t kept, double end) {
   VVolume bent = v_cells::polynomial({1, 1, 1}, [&](std::size_t i, std::size_t j, std::size_t k) {
     return Point{Rational(i), Rational(j), Rational(k)};
   });
@@ -204,18 +207,55 @@ TEST(BuildBridges, AKinkIsEnclosedAtACrease) {
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t k = 0; k < 2; ++k)
       bent.component(2)[bent.grid().at({2, j, k})] += Rational(1) / Rational(4);
-  Lattice lattice(10, bent, tenths(1), tenths(9));
-  // The cells before the crease alone.
-  MicroGrid& grid = lattice.micro.grids[0];
+  Lattice out(10, bent, tenths(1), tenths(9));
+  MicroGrid& grid = out.micro.grids[0];
   for (std::size_t c = 0; c < grid.tiles.size(); ++c)
-    if (grid.shape().index_of(c)[0] >= 5) grid.tiles[c] = 0;
-  lattice.solid = block(0.1, 0.9);
-  for (Vec3d& p : lattice.solid.positions) p.x = std::min(p.x, 0.55);
+    if (grid.shape().index_of(c)[0] >= kept) grid.tiles[c] = 0;
+  for (Vec3d& p : out.solid.positions) p.x = std::min(p.x, end);
+  return out;
+}
+
+TEST(BuildBridges, AKinkIsEnclosedAtACrease) {
+  Lattice lattice = creased(5, 0.55);
   const BridgeReport report = lattice.build();
   EXPECT_GT(report.built, 0u);
   EXPECT_EQ(report.kink.lo, 0);
   EXPECT_LE(report.kink.hi, 26.6);
   EXPECT_GE(report.kink.hi, 26.56);
+}
+
+TEST(BuildBridges, MeshesAreAtTheProvedDistance) {
+  Random random(5);
+  for (const bool has_crease : {false, true}) {
+    // With a crease, bridges along u pass it.
+    Lattice lattice =
+        has_crease ? creased(4, 0.57) : Lattice(6, cage_volume(1, true), tenths(2), tenths(8));
+    ASSERT_GT(lattice.build().built, 20u);
+    for (const double chord : {0.02, 0.004}) {
+      MicroMeshOptions options;
+      options.chord = chord;
+      const MicroMesh mesh = mesh_of(lattice.micro, lattice.cage, lattice.tiles, options).value();
+      EXPECT_LE(mesh.distance, chord);
+      for (const MicroBridge& b : lattice.micro.bridges) {
+        BezierVolume<Rational> map({b.degrees[0], b.degrees[1], 2}, 3, false);
+        for (std::size_t i = 0; i < b.points.size(); ++i)
+          for (std::size_t c = 0; c < 3; ++c)
+            map.component(static_cast<int>(c))[i] = b.points[i][c];
+        // A point of a side, or of the end face.
+        std::array<Rational, 3> at;
+        for (Rational& t : at) t = Rational(random.between(0, 97)) / Rational(97);
+        const auto side = random.below(5);
+        at[side / 2] = Rational(side == 4 ? 1 : side % 2);
+        const auto p = evaluate<Rational, 3>(map, at);
+        const auto x = point(lattice.micro.cage[0], {p[0], p[1], p[2]}).value();
+        EXPECT_LE(
+            approx::distance_to_mesh(
+                {nearest_double(x[0]), nearest_double(x[1]), nearest_double(x[2])}, mesh.mesh),
+            mesh.distance + 1e-12)
+            << "seed 5, chord " << chord;
+      }
+    }
+  }
 }
 
 TEST(BuildBridges, MeshesAreSolidsWithTheNumbersOfTheTiles) {

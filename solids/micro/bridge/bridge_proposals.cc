@@ -12,7 +12,8 @@ namespace {
 // `ahead` times the distance of the surface, or times the arm, from the cap; or along the line of the parameters.
 enum class Aim : std::uint8_t { kDistances, kArms, kLine };
 // The end has `size` times the size of the cap, turns by the part `turn` towards the tangent plane of the surface, and
-// lies at `depth` times the skin from the surface, which counts as at most the cap's distance, and kMostDepth arms. The second list is `lead` times as far off as in algorithm 4.
+// lies at `depth` times the skin from the surface, which counts as at most the cap's distance, and kMostDepth arms.
+// The second list is `lead` times as far off as in algorithm 4.
 struct EndShape {
   std::size_t target;
   double size, turn, depth, lead;

@@ -163,8 +163,8 @@ bool VolumeSpace::hulls(const Box3d& box, std::vector<HullPoints>* out) const {
   return true;
 }
 
-// In Bernstein form the curve along the axis leaves its first point towards the second one; so does a rational curve with
-// positive weights.
+// In Bernstein form the curve along the axis leaves its first point towards the second one; so does a rational curve
+// with positive weights.
 bool VolumeSpace::directions(const Box3d& wall, std::size_t axis, bool is_upward,
                              HullPoints* out) const {
   const std::size_t b = (axis + 1) % 3, c = (axis + 2) % 3;

@@ -43,8 +43,8 @@ class VolumeSpace {
   /// REQUIRES a live ScopedUpward, and a box in the domain.
   bool hulls(const Box3d& box, std::vector<HullPoints>* out) const;
 
-  /// Vectors whose hull contains one that has the direction of the derivative along the axis, away from a wall at a break,
-  /// at each point of the wall. False as hulls.
+  /// Vectors whose hull contains one that has the direction of the derivative along the axis, away from a wall at a
+  /// break, at each point of the wall. False as hulls.
   /// REQUIRES a box that lies in the plane of a break of the axis, and a span on the side that is named.
   bool directions(const Box3d& wall, std::size_t axis, bool is_upward, HullPoints* out) const;
 

@@ -147,7 +147,7 @@ std::array<std::uint32_t, 2> BridgeSurfaces::parts_across(const TileMesh& mesh,
   return b.is_swapped() ? std::array{parts[1], parts[0]} : std::array{parts[0], parts[1]};
 }
 
-// Sides of the cap that are points have a facet less for each part.
+// A part of a side that is a point has one facet fewer.
 std::uint64_t BridgeSurfaces::num_collapsed_rim_parts(const TileMesh& mesh, const Placed& b) const {
   const TileSurface& surface = tiles_[links_.kinds[links_.cells[b.cell].kind].tile].surface;
   std::uint64_t out = 0;

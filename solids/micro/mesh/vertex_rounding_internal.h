@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/mesh/vertex_rounding_internal.h: vertices of a mesh in the middle of the boxes that contain them, and how
-// far that moves them at most. Internal to solids/micro/mesh.
+// solids/micro/mesh/vertex_rounding_internal.h: vertices of a mesh in the middle of the boxes that contain them, and
+// how far that moves them at most. Internal to solids/micro/mesh.
 #pragma once
 #include <atomic>
 #include <bit>

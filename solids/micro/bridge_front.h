@@ -39,8 +39,8 @@ std::optional<BezierSurface<Rational>> cap_on_front(const Microstructure& micro,
 BezierSurface<Rational> turned_beyond(BezierSurface<Rational> cap, const BridgeFront& front);
 
 /// A symmetry s of the parameters' square, from 0 to 7, that makes the first list of the bridge the cap, in whatever
-/// degrees: cap(x, y) = b(u, v, 0), where (u, v) is (x, y) with 1 - x for x if s has the bit 2, 1 - y for y if it has the
-/// bit 4, then exchanged if it has the bit 1. Nothing if there is none.
+/// degrees: cap(x, y) = b(u, v, 0), where (u, v) is (x, y) with 1 - x for x if s has the bit 2, 1 - y for y if it has
+/// the bit 4, then exchanged if it has the bit 1. Nothing if no symmetry does it.
 std::optional<unsigned> start_symmetry(const MicroBridge& bridge,
                                        const BezierSurface<Rational>& cap);
 

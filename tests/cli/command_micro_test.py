@@ -74,9 +74,10 @@ class MicroCommand(support.Folder):
         first, second = cube("0.5", "5.5").splitlines(), cube("5.7", "7.3").splitlines()
         faces = ["4 " + " ".join(str(int(i) + 8) for i in line.split()[1:]) for line in second[10:]]
         solid.write_text("\n".join(["OFF", "16 12 0", *first[2:10], *second[2:10], *first[10:], *faces]) + "\n")
-        both = self.micro("--model", solid, counts="8,8,8")
+        both = self.micro("--model", solid, "--bridge", "none", counts="8,8,8")
         self.assertEqual((both["tiles"]["kept"], both["components"]), (65, 2))
-        one = self.micro("--model", solid, "--connected", "--list", listed, counts="8,8,8")
+        self.assertIsNone(both["bridges"])
+        one = self.micro("--model", solid, "--bridge", "none", "--connected", "--list", listed, counts="8,8,8")
         self.assertEqual((one["tiles"]["kept"], one["tiles"]["floating"], one["components"]), (64, 1, 1))
         self.assertIn("0,6,6,6,floating", listed.read_text().splitlines())
 
@@ -107,6 +108,49 @@ class MicroCommand(support.Folder):
         report = self.micro("--material", "glass=1/(x-4)", counts="2,1,1", expect=1)
         self.assertEqual(report["defects"][0]["code"], "material")
         self.assertIn("glass: corner (1, 0, 0) of grid 0", report["defects"][0]["message"])
+
+    def test_free_caps_are_continued_to_the_skin_of_the_model(self):
+        solid, mesh = self.folder / "cube.off", self.folder / "out.ply"
+        solid.write_text(cube("0.5", "7.5"))
+        report = self.micro("--model", solid, "--mesh", mesh, "--chord", "0.05", counts="8,8,8")
+        bridges = report["bridges"]
+        self.assertEqual((report["tiles"]["kept"], bridges["caps"], bridges["built"], sum(bridges["dropped"].values())), (216, 216, 216, 0))
+        self.assertEqual(bridges["kink_degrees"], {"lo": 0, "hi": 0})
+        self.assertTrue(0 < bridges["reach"]["lo"] <= bridges["reach"]["hi"] <= 0.07 * 3**0.5, bridges)
+        self.assertEqual(len(json.loads(self.out.read_text())["bridges"]), 216)
+        file = support.only_file(mesh)
+        self.assertEqual((file["verdict"], file["counts"]["shells"], file["counts"]["genus"]), ("VALID", 1, report["genus"]))
+        sha = report["output"]["sha256"]
+        for jobs in (1, 3):
+            self.assertEqual(self.micro("--model", solid, "--jobs", jobs, counts="8,8,8")["output"]["sha256"], sha)
+        near = self.micro("--model", solid, "--alpha", "1/3", "--skin", "0.01", counts="8,8,8")
+        self.assertLessEqual(near["bridges"]["reach"]["hi"], 0.01)
+        self.assertNotEqual(near["output"]["sha256"], sha)
+        # The caps of the cells that touch the solid's surface.
+        solid.write_text(cube("0.999", "7.001"))
+        flat = self.micro("--model", solid, counts="8,8,8")["bridges"]
+        self.assertEqual((flat["caps"], flat["built"], flat["dropped"]["flat"]), (216, 0, 216))
+
+    def test_parts_that_no_bridge_holds_are_floating(self):
+        solid = self.folder / "cube.off"
+        solid.write_text(cube("0.999", "7.001"))
+        report = self.micro("--model", solid, "--connected", counts="8,8,8")
+        self.assertEqual((report["tiles"]["kept"], report["tiles"]["floating"]), (0, 216))
+        solid.write_text(cube("0.5", "7.5"))
+        report = self.micro("--model", solid, "--connected", counts="8,8,8")
+        self.assertEqual((report["tiles"]["kept"], report["tiles"]["floating"]), (216, 0))
+
+    def test_bridges_need_a_model(self):
+        solid = self.folder / "cube.off"
+        solid.write_text(cube(1, 7))
+        for arguments, why in ((["--bridge", "domain"], "--bridge domain needs --model"), (["--alpha", "1/2"], "which need --model"),
+                               (["--skin", "1"], "which need --model"), (["--bridge", "space", "--model", solid], "must be domain or none, not space"),
+                               (["--model", solid, "--bridge", "none", "--skin", "1"], "--bridge none builds none"),
+                               (["--model", solid, "--alpha", "0"], "needs a number over 0"), (["--model", solid, "--alpha", "3/2"], "needs a number over 0")):
+            done = run("micro", "--cage", self.box, "--tile", "jack", "--counts", "4,4,4", "-o", self.out, *arguments)
+            self.assertEqual(done.returncode, 2, done)
+            self.assertIn(why, " ".join(done.stderr.split()))
+        self.assertFalse(self.out.exists())
 
     def test_thickness_is_a_number_of_each_wall(self):
         report = self.micro("--thickness", "1/8+1/20*sin(x)*cos(3*v)")

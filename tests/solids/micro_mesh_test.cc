@@ -18,6 +18,7 @@ namespace {
 
 using micro_cells::box_tile;
 using micro_cells::full;
+using micro_cells::ring_cage;
 using v_cells::cube;
 
 struct Subject {
@@ -67,16 +68,6 @@ JackShape linear_jack() {
 }
 
 Rational ratio(std::int64_t p, std::int64_t q) { return Rational(p) / Rational(q); }
-
-// A ring around the z-axis whose one volume is glued to itself along v.
-VVolume ring_cage() {
-  const std::array<std::array<int, 2>, 7> hexagon = {
-      {{2, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}, {2, 0}}};
-  return v_cells::polynomial({1, 6, 1}, [&](std::size_t i, std::size_t j, std::size_t k) {
-    const int r = i == 0 ? 2 : 3;
-    return v_cells::Point{Rational(r * hexagon[j][0]), Rational(r * hexagon[j][1]), Rational(k)};
-  });
-}
 
 // Whether all meshes of the structure, finer and finer, are valid and have its counts.
 void expect_valid_at_all_chords(const Microstructure& micro, const std::string& what,

@@ -58,4 +58,14 @@ inline MicroTile box_tile(const std::array<int, 3>& lo, const std::array<int, 3>
   return out;
 }
 
+/// A ring around the z-axis whose one volume is glued to itself along v.
+inline VVolume ring_cage() {
+  const std::array<std::array<int, 2>, 7> hexagon = {
+      {{2, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}, {2, 0}}};
+  return v_cells::polynomial({1, 6, 1}, [&](std::size_t i, std::size_t j, std::size_t k) {
+    const int r = i == 0 ? 2 : 3;
+    return v_cells::Point{Rational(r * hexagon[j][0]), Rational(r * hexagon[j][1]), Rational(k)};
+  });
+}
+
 }  // namespace veritope::micro_cells

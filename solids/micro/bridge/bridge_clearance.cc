@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/micro/bridge/bridge_clearance.h"
+#include "solids/micro/bridge/bridge_clearance_internal.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,19 +14,6 @@
 namespace veritope {
 namespace {
 
-// B2 of the page.
-constexpr std::uint64_t kMostBridgeCost = std::uint64_t{1} << 36;
-
-std::uint64_t cost_of(const MicroBridge& bridge) {
-  std::uint64_t bits = 0;
-  for (const TilePoint& p : bridge.points)
-    for (const Rational& x : p)
-      bits =
-          std::max<std::uint64_t>({bits, x.numerator().bit_length(), x.denominator().bit_length()});
-  return static_cast<std::uint64_t>((bridge.degrees[0] + 1) * (bridge.degrees[1] + 1)) *
-         (1 + bits) * (1 + bits) / 64;
-}
-
 class BridgeProver {
  public:
   BridgeProver(const Microstructure& micro, const VModel& cage,
@@ -36,8 +23,8 @@ class BridgeProver {
   std::variant<std::vector<BridgeWitness>, BridgeDefect> run() {
     std::uint64_t cost = 0;
     for (std::size_t b = 0; b < micro_.bridges.size(); ++b) {
-      cost += cost_of(micro_.bridges[b]);
-      if (cost > kMostBridgeCost)
+      cost += bridge_cost(micro_.bridges[b]);
+      if (cost > kMaxBridgeCost)
         return BridgeDefect{"B2", b, "the bridges have too many or too long numbers"};
     }
     find_matched_caps();
@@ -117,6 +104,16 @@ class BridgeProver {
 };
 
 }  // namespace
+
+std::uint64_t bridge_cost(const MicroBridge& bridge) {
+  std::uint64_t bits = 0;
+  for (const TilePoint& p : bridge.points)
+    for (const Rational& x : p)
+      bits =
+          std::max<std::uint64_t>({bits, x.numerator().bit_length(), x.denominator().bit_length()});
+  return static_cast<std::uint64_t>((bridge.degrees[0] + 1) * (bridge.degrees[1] + 1)) *
+         (1 + bits) * (1 + bits) / 64;
+}
 
 std::variant<std::vector<BridgeWitness>, BridgeDefect> prove_bridges(
     const Microstructure& micro, const VModel& cage, const std::vector<AnalysedTile>& tiles) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/bridge/bridge_proof.h: proves that the bridges of a microstructure are solids that meet the rest in their
-// caps alone. The conditions R1 to R4 of docs/certificates/microstructure.md. Theory: docs/THEORY.md, MICRO-1.
+// solids/micro/bridge/bridge_proof.h: proves that the bridges of a microstructure are solids that meet the rest in
+// their caps alone. The conditions R1 to R4 of docs/certificates/microstructure.md. Theory: docs/THEORY.md, MICRO-1.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -26,9 +27,14 @@ struct BridgeDefect {
   std::string message;
 };
 
+/// What a bridge costs a checker: (p + 1)(q + 1)(1 + h)^2 / 64, h the bits of its longest number. The sum over all
+/// bridges may be at most kMaxBridgeCost.
+std::uint64_t bridge_cost(const MicroBridge& bridge);
+inline constexpr std::uint64_t kMaxBridgeCost = std::uint64_t{1} << 36;
+
 /// One for each bridge, in their order.
-/// REQUIRES validate(micro); that the cage is that of micro and the tiles are its analysed tiles; that topology_of finds
-/// no defect.
+/// REQUIRES validate(micro); that the cage is that of micro and the tiles are its analysed tiles; that topology_of
+/// finds no defect.
 /// @cost near-linear in the bridges, if few of them are near each other: approximately 50 microseconds for each
 std::variant<std::vector<BridgeWitness>, BridgeDefect> prove_bridges(
     const Microstructure& micro, const VModel& cage, const std::vector<AnalysedTile>& tiles);

@@ -12,7 +12,8 @@ namespace {
 // `ahead` times the distance of the surface, or times the arm, from the cap; or along the line of the parameters.
 enum class Aim : std::uint8_t { kDistances, kArms, kLine };
 // The end has `size` times the size of the cap, turns by the part `turn` towards the tangent plane of the surface, and
-// lies at `depth` times the skin from the surface. The second list is `lead` times as far off as in algorithm 4.
+// lies at `depth` times the skin from the surface, which counts as at most the cap's distance, and kMostDepth arms.
+// The second list is `lead` times as far off as in algorithm 4.
 struct EndShape {
   std::size_t target;
   double size, turn, depth, lead;
@@ -46,6 +47,7 @@ constexpr std::array<EndShape, kBridgeTries> kEndShapes = {{
     {5, 0.4, 0.3, 0.6, 0.6},
     {2, 0.25, 0, 0.6, 0.6},
 }};
+constexpr double kMostDepth = 0.6;
 constexpr int kMostMarchSteps = 32;
 
 Point3d sum_of(const Point3d& a, double k, const Point3d& b) {
@@ -188,7 +190,8 @@ std::optional<MicroBridge> BridgeProposals::propose(int index) {
   const EndShape& how = kEndShapes[static_cast<std::size_t>(index)];
   const std::optional<End>& end = end_of(how.target);
   if (!end) return std::nullopt;
-  const Point3d goal = sum_of(end->surface, -how.depth * options_.skin, end->normal);
+  const double depth = how.depth * std::min({options_.skin, kMostDepth * cap_.arm, distance_});
+  const Point3d goal = sum_of(end->surface, -depth, end->normal);
   const auto place = space_.preimage(goal, start_->at);
   if (!place) return std::nullopt;
   return shape(*end, *place, how.size, how.turn, how.lead);

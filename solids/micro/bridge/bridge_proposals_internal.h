@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/bridge/bridge_proposals_internal.h: shapes of bridges, proposed in floating point: algorithm 4 of [HPE22].
-// Internal to solids/micro/bridge.
+// solids/micro/bridge/bridge_proposals_internal.h: shapes of bridges, proposed in floating point: algorithm 4 of
+// [HPE22]. Internal to solids/micro/bridge.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -81,8 +81,8 @@ class DisjointBridges {
   /// The boxes of bridges are looked up in a grid of approximately the size of the cells.
   explicit DisjointBridges(const Microstructure& micro);
 
-  /// Adds the bridge if it is proved disjoint from all others, which may need more cuts of both; else returns the number
-  /// of one that it may meet.  @cost the bridges near it
+  /// Adds the bridge if it is proved disjoint from all others, which may need more cuts of both; else returns the
+  /// number of one that it may meet.  @cost the bridges near it
   std::optional<std::size_t> add(BridgeSlices bridge);
   const BridgeSlices& operator[](std::size_t i) const { return bridges_[i]; }
   std::size_t size() const { return bridges_.size(); }

@@ -7,14 +7,17 @@
 #include <string>
 #include <utility>
 
+#include "interval/box_geometry.h"
+#include "interval/functions.h"
 #include "interval/upward.h"
 #include "robust/base/parallel.h"
-#include "solids/micro/bridge/bridge_clearance.h"
+#include "solids/micro/bridge/bridge_clearance_internal.h"
 #include "solids/micro/bridge/bridge_matrix.h"
 #include "solids/micro/bridge/bridge_proof.h"
 #include "solids/micro/bridge/bridge_proposals_internal.h"
 #include "solids/micro/bridge/bridge_slices.h"
 #include "splines/de_casteljau.h"
+#include "splines/knot_insertion.h"
 
 namespace veritope {
 namespace {
@@ -23,6 +26,9 @@ using internal::BridgeProposals;
 using internal::kBridgeTries;
 using internal::OpenCap;
 using internal::VolumeSpace;
+
+// Bounds of 180 / pi.
+constexpr double kDegreesBelow = 57.2957795130823, kDegreesAbove = 57.2957795130824;
 
 // A bridge that only other bridges may be against.
 struct FoundBridge {
@@ -186,6 +192,9 @@ class BridgeBuilder {
       const double hi = search.found->reach, lo = least_reach(search);
       report_.reach.lo = is_first ? lo : std::min(report_.reach.lo, lo);
       report_.reach.hi = is_first ? hi : std::max(report_.reach.hi, hi);
+      const BridgeRange kink = kink_of(search.cap);
+      report_.kink.lo = is_first ? kink.lo : std::min(report_.kink.lo, kink.lo);
+      report_.kink.hi = is_first ? kink.hi : std::max(report_.kink.hi, kink.hi);
       is_first = false;
       micro_.bridges.push_back(std::move(search.found->bridge));
     }
@@ -216,6 +225,51 @@ class BridgeBuilder {
     }
     const Interval distance = sqrt(enclose(projection_.project(middle).squared_distance));
     return std::max(0.0, (distance - radius).lo());
+  }
+
+  // Nothing where the map has one derivative at the wall. Else the angle between the derivatives on both sides.
+  BridgeRange kink_of(const OpenCap& cap) const {
+    const MicroGrid& grid = micro_.grids[cap.cap.grid];
+    BridgeFront own;
+    own.volume = grid.volume;
+    own.axis = static_cast<std::size_t>(cap.cap.wall / 2);
+    own.is_upward = cap.cap.wall % 2 == 1;
+    const std::size_t index = grid.shape().index_of(cap.cap.cell)[own.axis];
+    own.at = grid.breaks[own.axis][index + static_cast<std::size_t>(cap.cap.wall % 2)];
+    const KnotAxis<Rational>& knots = micro_.cage[own.volume].axis(own.axis);
+    if (!cap.front.is_in_face && multiplicity(knots, own.at) < knots.degree) return {};
+    const auto surface = cap_on_front(micro_, cage_, tiles_, cap.cap, own);
+    constexpr BridgeRange kAny = {0, 180};
+    if (!surface) return kAny;
+    const ScopedUpward upward;
+    internal::HullPoints back, on;
+    if (!spaces_[own.volume].directions(box_of_surface(*surface), own.axis, !own.is_upward,
+                                        &back) ||
+        !spaces_[cap.front.volume].directions(box_of_surface(cap.surface), cap.front.axis,
+                                              cap.front.is_upward, &on))
+      return kAny;
+    const Box3 a = hull_of(back), b = hull_of(on);
+    const Interval cosine = -internal::dot(a, b) / (internal::norm(a) * internal::norm(b));
+    const Interval angle = acos(intersection(cosine, Interval::from_bounds(-1, 1))) *
+                           Interval::from_bounds(kDegreesBelow, kDegreesAbove);
+    if (angle.is_empty() || !(angle.hi() < 200)) return kAny;
+    return {std::max(0.0, angle.lo()), std::min(180.0, angle.hi())};
+  }
+  static Box3 hull_of(const internal::HullPoints& points) {
+    Box3 out = Box3::empty();
+    for (const Box3& p : points) out = hull(out, p);
+    return out;
+  }
+  // REQUIRES a live ScopedUpward.
+  static Box3d box_of_surface(const BezierSurface<Rational>& surface) {
+    Box3d out = empty_box();
+    for (std::size_t c = 0; c < 3; ++c)
+      for (const Rational& x : surface.component(static_cast<int>(c))) {
+        const Interval value = enclose(x);
+        out.lo[c] = std::min(out.lo[c], value.lo());
+        out.hi[c] = std::max(out.hi[c], value.hi());
+      }
+    return out;
   }
 
   const TriangleMesh& mesh_;

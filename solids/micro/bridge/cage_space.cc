@@ -113,7 +113,7 @@ std::optional<ApproxPlace> VolumeSpace::preimage(const Point3d& goal, const Poin
   return std::nullopt;
 }
 
-bool VolumeSpace::hull_in_span(std::size_t piece, const std::array<std::array<double, 2>, 3>& part,
+bool VolumeSpace::hull_in_span(std::size_t piece, const std::array<Part, 3>& part,
                                HullPoints* out) const {
   BezierVolume<Interval> net = pieces_[piece];
   const Grid<3> grid = net.grid();
@@ -135,18 +135,24 @@ bool VolumeSpace::hull_in_span(std::size_t piece, const std::array<std::array<do
   return true;
 }
 
+std::vector<VolumeSpace::SpanPart> VolumeSpace::parts_of(const Box3d& box, std::size_t axis) const {
+  std::vector<SpanPart> out;
+  const auto& breaks = axes_[axis].breaks;
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+    if (breaks[i + 1].hi() < box.lo[axis] || box.hi[axis] < breaks[i].lo()) continue;
+    const Interval length = breaks[i + 1] - breaks[i];
+    const double lo = ((Interval(box.lo[axis]) - breaks[i]) / length).lo(),
+                 hi = ((Interval(box.hi[axis]) - breaks[i]) / length).hi();
+    out.push_back({i, {std::clamp(lo, 0.0, 1.0), std::clamp(hi, 0.0, 1.0)}});
+  }
+  return out;
+}
+
 bool VolumeSpace::hulls(const Box3d& box, std::vector<HullPoints>* out) const {
-  std::array<std::vector<std::pair<std::size_t, std::array<double, 2>>>, 3> parts;
+  std::array<std::vector<SpanPart>, 3> parts;
   std::size_t count = 1;
   for (std::size_t a = 0; a < 3; ++a) {
-    const auto& breaks = axes_[a].breaks;
-    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-      if (breaks[i + 1].hi() < box.lo[a] || box.hi[a] < breaks[i].lo()) continue;
-      const Interval length = breaks[i + 1] - breaks[i];
-      const double lo = ((Interval(box.lo[a]) - breaks[i]) / length).lo(),
-                   hi = ((Interval(box.hi[a]) - breaks[i]) / length).hi();
-      parts[a].push_back({i, {std::clamp(lo, 0.0, 1.0), std::clamp(hi, 0.0, 1.0)}});
-    }
+    parts[a] = parts_of(box, a);
     count *= parts[a].size();
   }
   if (count > kMostSpans) return false;
@@ -154,6 +160,42 @@ bool VolumeSpace::hulls(const Box3d& box, std::vector<HullPoints>* out) const {
     for (const auto& [j, v] : parts[1])
       for (const auto& [k, w] : parts[2])
         if (!hull_in_span(spans_.at({i, j, k}), {u, v, w}, &out->emplace_back())) return false;
+  return true;
+}
+
+// In Bernstein form the curve along the axis leaves its first point towards the second one; so does a rational curve
+// with positive weights.
+bool VolumeSpace::directions(const Box3d& wall, std::size_t axis, bool is_upward,
+                             HullPoints* out) const {
+  const std::size_t b = (axis + 1) % 3, c = (axis + 2) % 3;
+  const auto& breaks = axes_[axis].breaks;
+  std::size_t span = 0;
+  while (span < breaks.size() && breaks[span].hi() < wall.lo[axis]) ++span;
+  if (!is_upward) --span;
+  if (span + 1 >= breaks.size()) return false;
+  HullPoints points;
+  for (const auto& [i, u] : parts_of(wall, b))
+    for (const auto& [j, v] : parts_of(wall, c)) {
+      std::array<std::size_t, 3> at{};
+      std::array<Part, 3> part;
+      at[axis] = span, at[b] = i, at[c] = j;
+      part[axis] = {0, 1}, part[b] = u, part[c] = v;
+      points.clear();
+      const std::size_t piece = spans_.at(at);
+      if (!hull_in_span(piece, part, &points)) return false;
+      const Grid<3> grid = pieces_[piece].grid();
+      const std::size_t n = grid.size[axis], step = grid.stride(axis);
+      const std::size_t first = is_upward ? 0 : (n - 1) * step,
+                        second = is_upward ? step : (n - 2) * step;
+      Box3 from = Box3::empty(), to = from;
+      grid.for_each_line(axis, [&](std::size_t line) {
+        const Box3 &p = points[line + first], &q = points[line + second];
+        if (!pieces_[piece].is_rational()) out->push_back(q - p);
+        from = hull(from, p);
+        to = hull(to, q);
+      });
+      if (pieces_[piece].is_rational()) out->push_back(to - from);
+    }
   return true;
 }
 

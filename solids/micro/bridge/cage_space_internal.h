@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "interval/box.h"
@@ -42,14 +43,21 @@ class VolumeSpace {
   /// REQUIRES a live ScopedUpward, and a box in the domain.
   bool hulls(const Box3d& box, std::vector<HullPoints>* out) const;
 
+  /// Vectors whose hull contains one that has the direction of the derivative along the axis, away from a wall at a
+  /// break, at each point of the wall. False as hulls.
+  /// REQUIRES a box that lies in the plane of a break of the axis, and a span on the side that is named.
+  bool directions(const Box3d& wall, std::size_t axis, bool is_upward, HullPoints* out) const;
+
  private:
   struct Axis {
     std::vector<Interval> breaks;
     double begin = 0, end = 0;
   };
   explicit VolumeSpace(FastSpline<3> fast) : fast_(std::move(fast)) {}
-  bool hull_in_span(std::size_t piece, const std::array<std::array<double, 2>, 3>& part,
-                    HullPoints* out) const;
+  using Part = std::array<double, 2>;  // of a span, from 0 to 1
+  using SpanPart = std::pair<std::size_t, Part>;
+  std::vector<SpanPart> parts_of(const Box3d& box, std::size_t axis) const;
+  bool hull_in_span(std::size_t piece, const std::array<Part, 3>& part, HullPoints* out) const;
 
   FastSpline<3> fast_;
   std::array<Axis, 3> axes_;

@@ -35,7 +35,7 @@ BridgeMesh::BridgeMesh(const VVolume& volume, const MicroBridge& bridge)
     for (const Rational& t : breaks_of(axis)) {
       if (!(*lo < t && t < *hi)) continue;
       grid.breaks[a].push_back(t);
-      has_crease_[a] = has_crease_[a] || multiplicity(axis, t) >= axis.degree;
+      num_creases_[a] += multiplicity(axis, t) >= axis.degree ? 1 : 0;
     }
     grid.breaks[a].push_back(*hi);
   }
@@ -82,7 +82,7 @@ MapBounds BridgeMesh::map_bounds() const {
   return out;
 }
 
-// Of the absolute values of the coordinates of a derivative of the bridge.
+// Bounds of the absolute values of the coordinates of a derivative of the bridge.
 std::array<Interval, 3> BridgeMesh::derivative_bounds(std::size_t axis, std::size_t order) const {
   const Grid<3> grid = net_.grid();
   const std::size_t n = grid.size[axis] - 1, step = grid.stride(axis);
@@ -105,9 +105,9 @@ std::array<Interval, 3> BridgeMesh::derivative_bounds(std::size_t axis, std::siz
   return {up_to(most[0]), up_to(most[1]), up_to(most[2])};
 }
 
-// An eighth of the second derivative of T(b(.)), as of patches (patch_bend_internal.h). Where b passes a crease of T, the
-// slope of its image jumps there by at most twice its greatest length, and interpolation on a part of length h is off
-// by a quarter of h times the jumps.
+// An eighth of the second derivative of T(b(.)), as of patches (patch_bend_internal.h). Where b passes a crease of T,
+// the slope of its image jumps there by at most twice its greatest length, and interpolation on a part of length h is
+// off by a quarter of h times the jumps, of which there are at most as many at a plane as the degree of b.
 BridgeError BridgeMesh::error() const {
   const MapBounds map = map_bounds();
   BridgeError out;
@@ -120,11 +120,10 @@ BridgeError BridgeMesh::error() const {
     }
     for (std::size_t a = 0; a < 3; ++a) {
       sum += up_to(map.first[a]) * second[a];
-      if (has_crease_[a]) crease += up_to(map.first[a]) * s[a];
+      crease += Interval(0.5 * num_creases_[a] * net_.degree(axis)) * up_to(map.first[a]) * s[a];
     }
     out.bend[axis] = (Interval(0.125) * sum).hi();
-    // Each crease counts; the number of parts bounds how many there are.
-    out.crease[axis] = (Interval(0.5 * static_cast<double>(parts_.size())) * crease).hi();
+    out.crease[axis] = crease.hi();
   }
   return out;
 }

@@ -38,8 +38,8 @@ class BridgeMesh {
 
   BezierVolume<Rational> net_;
   std::vector<Part> parts_;
-  std::array<bool, 3>
-      has_crease_{};  // by axes of the volume: the map may have one inside of the box
+  /// By axes of the volume: knots in the box where the map may have a crease.
+  std::array<int, 3> num_creases_{};
 };
 
 }  // namespace veritope::internal

@@ -2,9 +2,6 @@
 #include "solids/micro/mesh/micro_mesh.h"
 
 #include <algorithm>
-#include <atomic>
-#include <bit>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
@@ -15,26 +12,27 @@
 #include "interval/upward.h"
 #include "robust/base/check.h"
 #include "robust/base/parallel.h"
-#include "solids/micro/bridge_front.h"
-#include "solids/micro/mesh/bridge_mesh_internal.h"
+#include "solids/micro/mesh/bridge_surfaces_internal.h"
 #include "solids/micro/mesh/cage_cells_internal.h"
 #include "solids/micro/mesh/cap_links_internal.h"
 #include "solids/micro/mesh/part_numbers_internal.h"
 #include "solids/micro/mesh/patch_bend_internal.h"
 #include "solids/micro/mesh/quad_gap_internal.h"
 #include "solids/micro/mesh/tile_mesh_internal.h"
+#include "solids/micro/mesh/vertex_rounding_internal.h"
 
 namespace veritope {
 namespace {
 
-using internal::BridgeError;
-using internal::BridgeMesh;
+using internal::BridgeSurfaces;
 using internal::CageCells;
 using internal::CageRow;
 using internal::CapLinks;
 using internal::CellMap;
+using internal::Greatest;
 using internal::LinkedCell;
 using internal::MapBounds;
+using internal::middle_of;
 using internal::PartNumbers;
 using internal::PatchBend;
 using internal::PatchError;
@@ -48,35 +46,6 @@ constexpr std::size_t kRowsInChunk = 4, kCellsInChunk = 256;
 // The rounding of vertices is at most this part of the chord.
 constexpr double kRoundingShare = 0x1p-6;
 
-// The greatest of numbers >= 0 that several threads have.
-class Greatest {
- public:
-  double value() const { return std::bit_cast<double>(bits_.load(std::memory_order_relaxed)); }
-  void reach(double x) {
-    // Bits of numbers >= 0 are ordered as the numbers are; infinity is the greatest.
-    const auto bits = std::bit_cast<std::uint64_t>(x);
-    std::uint64_t seen = bits_.load(std::memory_order_relaxed);
-    while (seen < bits && !bits_.compare_exchange_weak(seen, bits, std::memory_order_relaxed)) {
-    }
-  }
-
- private:
-  std::atomic<std::uint64_t> bits_{0};
-};
-
-Vec3d middle_of(const Box3& box, Greatest& rounding) {
-  std::array<double, 3> at;
-  Interval square;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const MidRad m = mid_rad(box[c]);
-    at[c] = m.mid + 0.0;  // no -0
-    square +=
-        sqr(Interval::from_bounds(0, m.rad >= 0 ? m.rad : std::numeric_limits<double>::infinity()));
-  }
-  rounding.reach(sqrt(square).hi());
-  return {at[0], at[1], at[2]};
-}
-
 class MicroMesher {
  public:
   MicroMesher(const Microstructure& micro, const VModel& cage,
@@ -87,6 +56,7 @@ class MicroMesher {
         tiles_(tiles),
         options_(options),
         links_(std::move(links)),
+        bridges_(micro, cage, tiles, options.jobs, links_),
         numbers_(links_, tiles) {
     first_row_.push_back(0);
     const ScopedUpward upward;
@@ -98,7 +68,6 @@ class MicroMesher {
     for (const AnalysedTile& t : tiles)
       for (auto& bends = patch_bends_.emplace_back(); const TilePatch& p : t.tile.patches)
         bends.emplace_back(p);
-    add_bridges();
     for (const internal::MeshKind& k : links_.kinds)
       cells_with_cap_.emplace_back(tiles[k.tile].caps.size() + 1, 0);
     for (const LinkedCell& c : links_.cells) {
@@ -112,9 +81,8 @@ class MicroMesher {
   }
 
   Result<MicroMesh> run() {
-    if (bad_bridge_) return std::move(*bad_bridge_);
+    if (auto error = bridges_.find_errors()) return std::move(*error);
     find_bends();
-    find_bridge_errors();
     choose_sample();
     for (bool measures_all = false;;) {
       if (auto error = choose_parts()) return std::move(*error);
@@ -132,7 +100,9 @@ class MicroMesher {
       make_facets();
       if (auto error = make_bridges()) return std::move(*error);
       if (auto error = rounding_error()) return std::move(*error);
-      if (is_close_enough() && are_bridges_close_enough()) return result();
+      if (is_close_enough() &&
+          bridges_.are_close_enough(meshes_, options_.chord, rounding_->value(), numbers_))
+        return result();
     }
   }
 
@@ -215,7 +185,7 @@ class MicroMesher {
         return Error{Code::kNotFinite, {}, "the cage has no finite derivatives"};
     if (!numbers_.raise_for(errors_, options_.chord * (1 - 2 * kRoundingShare)))
       return too_many("2^20 parts along a side of a patch");
-    if (auto error = choose_bridge_parts()) return error;
+    if (auto error = bridges_.choose_parts(options_.chord, numbers_)) return error;
     const ScopedUpward upward;
     for (;;) {
       std::uint64_t facets = 0;
@@ -336,229 +306,6 @@ class MicroMesher {
     return most;
   }
 
-  // A bridge at a cell's cap, which is dropped. The parts of the cap are those of the bridge across its axis.
-  struct PlacedBridge {
-    std::uint32_t number = 0, cell = 0, patch = 0;
-    unsigned symmetry = 0;  // takes the patch's parameters to those of the bridge (bridge_front.h)
-    BridgeError error;
-    std::uint32_t parts = 1;  // along the axis
-    double gap = 0;           // of its quadrilaterals
-    std::uint64_t first_vertex = 0, first_facet = 0;
-  };
-  // The parts of an error that cannot be known before, and those along the axis, have this share of the chord.
-  static constexpr double kBridgeShare = 0.25;
-
-  void add_bridges() {
-    for (std::uint32_t b = 0; b < micro_.bridges.size(); ++b) {
-      const CapPlace& place = micro_.bridges[b].cap;
-      PlacedBridge& out = bridges_.emplace_back();
-      out.number = b;
-      out.cell = links_.numbers[place.grid][place.cell];
-      LinkedCell& cell = links_.cells[out.cell];
-      const AnalysedTile& tile = tile_of(cell.kind);
-      const auto& caps = tile.caps_of_wall[static_cast<std::size_t>(place.wall)];
-      const auto front = front_of(micro_, cage_, place);
-      const auto cap = front && front->volume == micro_.bridges[b].volume
-                           ? cap_on_front(micro_, cage_, tiles_, place, *front)
-                           : std::nullopt;
-      const auto symmetry = cap ? start_symmetry(micro_.bridges[b], *cap) : std::nullopt;
-      if (!symmetry || (cell.dropped >> caps[0] & 1) != 0) {
-        bad_bridge_ = bad_argument("bridge " + std::to_string(b) + " does not start at a free cap");
-        return;
-      }
-      out.patch = tile.caps[caps[0]].patches[0];
-      out.symmetry = *symmetry;
-      cell.dropped |= std::uint64_t{1} << caps[0];
-    }
-  }
-  template <typename Visit>
-  void for_each_bridge(Visit visit) {
-    parallel_for(bridges_.size(), kRowsInChunk, options_.jobs,
-                 [&](std::size_t, std::size_t begin, std::size_t end) {
-                   const ScopedUpward upward;
-                   for (std::size_t i = begin; i < end; ++i) {
-                     const MicroBridge& bridge = micro_.bridges[bridges_[i].number];
-                     visit(bridges_[i], BridgeMesh(micro_.cage[bridge.volume], bridge));
-                   }
-                 });
-  }
-  std::size_t cap_number(const PlacedBridge& b) const {
-    return numbers_.number(links_.cells[b.cell].kind, b.patch);
-  }
-  static bool is_swapped(const PlacedBridge& b) { return (b.symmetry & 1) != 0; }
-  void find_bridge_errors() {
-    for_each_bridge([](PlacedBridge& b, const BridgeMesh& mesh) { b.error = mesh.error(); });
-  }
-  // Parts of the caps, so that errors across the axis are at most half of the chord, and along the axis.
-  std::optional<Error> choose_bridge_parts() {
-    if (bridges_.empty()) return std::nullopt;
-    std::vector<PatchError> across(errors_.size());
-    // Bends count as bend / n^2; a crease / n is at most c if crease^2 / c / n^2 is.
-    const double share = options_.chord * kBridgeShare / 2;
-    const auto square_error = [&](const PlacedBridge& b, std::size_t axis) {
-      return b.error.bend[axis] + b.error.crease[axis] * b.error.crease[axis] / share;
-    };
-    for (PlacedBridge& b : bridges_) {
-      PatchError& e = across[cap_number(b)];
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if (!(square_error(b, axis) < std::numeric_limits<double>::infinity()))
-          return Error{Code::kNotFinite, {}, "the cage has no finite derivatives"};
-      for (std::size_t axis = 0; axis < 2; ++axis)
-        e.along[axis] = std::max(e.along[axis], square_error(b, is_swapped(b) ? 1 - axis : axis));
-      const double parts = std::ceil(std::sqrt(square_error(b, 2) / share));
-      if (!(parts <= PartNumbers::kMost)) return too_many("2^20 parts along a bridge");
-      b.parts = std::max(b.parts, static_cast<std::uint32_t>(parts));
-    }
-    if (!numbers_.raise_for(across, 2 * share))
-      return too_many("2^20 parts along a side of a patch");
-    return std::nullopt;
-  }
-  // The parts of the cap along the bridge's own axes.
-  std::array<std::uint32_t, 2> parts_across(const PlacedBridge& b) const {
-    const PatchParts& parts = meshes_[links_.cells[b.cell].kind]->parts()[b.patch];
-    return is_swapped(b) ? std::array{parts[1], parts[0]} : std::array{parts[0], parts[1]};
-  }
-  std::optional<Error> make_bridges() {
-    std::uint64_t vertices = out_.mesh.positions.size(), facets = out_.mesh.faces.size();
-    for (PlacedBridge& b : bridges_) {
-      const auto [m, n] = parts_across(b);
-      b.first_vertex = vertices;
-      b.first_facet = facets;
-      const std::uint64_t rim = 2 * (std::uint64_t{m} + n);
-      vertices += rim * b.parts + std::uint64_t{m - 1} * (n - 1);
-      facets += 2 * rim * b.parts - num_collapsed_rim_parts(b) + 2 * std::uint64_t{m} * n;
-      if (facets > options_.max_facets || facets > kMaxMicroFacets || vertices >= 0xffffffff)
-        return too_many_facets();
-    }
-    out_.mesh.positions.resize(vertices);
-    out_.mesh.faces.resize(facets);
-    const auto shared =
-        bridges_.empty() ? std::vector<std::vector<std::uint32_t>>() : shared_vertices();
-    for_each_bridge([&](PlacedBridge& b, const BridgeMesh& mesh) { make_bridge(b, mesh, shared); });
-    return std::nullopt;
-  }
-  // Sides of the cap that are points have a facet less for each part.
-  std::uint64_t num_collapsed_rim_parts(const PlacedBridge& b) const {
-    const TileMesh& mesh = *meshes_[links_.cells[b.cell].kind];
-    const TileSurface& surface = tile_of(links_.cells[b.cell].kind).surface;
-    std::uint64_t out = 0;
-    for (std::size_t s = 0; s < kTileSides; ++s)
-      if (surface.is_collapsed(b.patch, s)) out += mesh.parts()[b.patch][s % 2];
-    return out;
-  }
-  // The vertex of the tile's mesh at the point (i, j) of the bridge's rim.
-  std::uint32_t rim_vertex(const PlacedBridge& b, std::uint32_t i, std::uint32_t j) const {
-    const TileMesh& mesh = *meshes_[links_.cells[b.cell].kind];
-    const auto [m, n] = mesh.parts()[b.patch];
-    std::uint32_t x = is_swapped(b) ? j : i, y = is_swapped(b) ? i : j;
-    if ((b.symmetry & 2) != 0) x = m - x;
-    if ((b.symmetry & 4) != 0) y = n - y;
-    const std::uint32_t side = 4 * b.patch;
-    if (y == 0) return mesh.vertex_of_side(side, x);
-    if (x == m) return mesh.vertex_of_side(side + 1, y);
-    if (y == n) return mesh.vertex_of_side(side + 2, m - x);
-    return mesh.vertex_of_side(side + 3, n - y);
-  }
-  // The points (i, j) around a square of m x n parts, counterclockwise from (0, 0).
-  static std::vector<std::array<std::uint32_t, 2>> rim_of_square(std::uint32_t m, std::uint32_t n) {
-    std::vector<std::array<std::uint32_t, 2>> out;
-    for (std::uint32_t i = 0; i < m; ++i) out.push_back({i, 0});
-    for (std::uint32_t j = 0; j < n; ++j) out.push_back({m, j});
-    for (std::uint32_t i = m; i > 0; --i) out.push_back({i, n});
-    for (std::uint32_t j = n; j > 0; --j) out.push_back({0, j});
-    return out;
-  }
-  void make_bridge(PlacedBridge& b, const BridgeMesh& mesh,
-                   const std::vector<std::vector<std::uint32_t>>& shared) {
-    const auto [m, n] = parts_across(b);
-    const auto rim = rim_of_square(m, n);
-    const auto size = static_cast<std::uint32_t>(rim.size());
-    std::vector<std::uint32_t> ids;
-    number_vertices_of(b.cell, shared, ids);
-    const auto first = static_cast<std::uint32_t>(b.first_vertex);
-    std::uint32_t next = first;
-    const auto place = [&](std::uint32_t i, std::uint32_t j, std::uint32_t l) {
-      out_.mesh.positions[next++] =
-          middle_of(mesh.value({Rational(i) / Rational(m), Rational(j) / Rational(n),
-                                Rational(l) / Rational(b.parts)}),
-                    *rounding_);
-    };
-    for (std::uint32_t l = 1; l <= b.parts; ++l)
-      for (const auto& [i, j] : rim) place(i, j, l);
-    const std::uint32_t first_inner = next;
-    for (std::uint32_t i = 1; i < m; ++i)
-      for (std::uint32_t j = 1; j < n; ++j) place(i, j, b.parts);
-    FacetWriter facets{*this, b, out_.mesh.faces.data() + b.first_facet,
-                       cage_.hand(micro_.bridges[b.number].volume) == Sign::kNegative};
-    const auto on_ring = [&](std::uint32_t k, std::uint32_t l) {
-      k %= size;
-      return l == 0 ? ids[rim_vertex(b, rim[k][0], rim[k][1])] : first + (l - 1) * size + k;
-    };
-    for (std::uint32_t l = 0; l < b.parts; ++l)
-      for (std::uint32_t k = 0; k < size; ++k)
-        facets.add({on_ring(k, l), on_ring(k + 1, l), on_ring(k + 1, l + 1), on_ring(k, l + 1)});
-    const auto on_end = [&, m = m, n = n](std::uint32_t i, std::uint32_t j) {
-      if (j == 0) return on_ring(i, b.parts);
-      if (i == m) return on_ring(m + j, b.parts);
-      if (j == n) return on_ring(m + n + (m - i), b.parts);
-      if (i == 0) return on_ring(2 * m + n + (n - j), b.parts);
-      return first_inner + (i - 1) * (n - 1) + j - 1;
-    };
-    for (std::uint32_t i = 0; i < m; ++i)
-      for (std::uint32_t j = 0; j < n; ++j)
-        facets.add({on_end(i, j), on_end(i + 1, j), on_end(i + 1, j + 1), on_end(i, j + 1)});
-    VT_CHECK(next == first + size * b.parts + (m - 1) * (n - 1), "vertices of a bridge");
-  }
-  struct FacetWriter {
-    MicroMesher& mesher;
-    PlacedBridge& bridge;
-    std::array<std::uint32_t, 3>* to;
-    bool is_left_handed;
-
-    void add(const TileQuad& quad) {
-      std::array<std::array<std::uint32_t, 3>, 2> triangles;
-      const std::size_t count = internal::triangles_of(quad, triangles);
-      for (std::size_t k = 0; k < count; ++k) {
-        auto [x, y, z] = triangles[k];
-        if (is_left_handed) std::swap(y, z);
-        *to++ = {x, y, z};
-      }
-      const auto& p = mesher.out_.mesh.positions;
-      if (count == 2)
-        bridge.gap = std::max(bridge.gap, internal::quad_gap(p[quad[0]], p[quad[1]], p[quad[2]],
-                                                             p[quad[3]], bridge.gap));
-    }
-  };
-  double bridge_distance(const PlacedBridge& b) const {
-    const auto [m, n] = parts_across(b);
-    const std::array<std::uint32_t, 3> parts = {m, n, b.parts};
-    std::array<double, 3> along{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Interval k(static_cast<double>(parts[axis]));
-      along[axis] =
-          (Interval(b.error.bend[axis]) / sqr(k) + Interval(b.error.crease[axis]) / k).hi();
-    }
-    std::sort(along.begin(), along.end());  // a face has two of the axes
-    return (Interval(along[1]) + Interval(along[2]) + Interval(b.gap) +
-            Interval(rounding_->value()))
-        .hi();
-  }
-  bool are_bridges_close_enough() {
-    const ScopedUpward upward;
-    bridges_distance_ = 0;
-    bool is_close = true;
-    for (PlacedBridge& b : bridges_) {
-      const double d = bridge_distance(b);
-      bridges_distance_ = std::max(bridges_distance_, d);
-      b.gap = 0;
-      if (d <= options_.chord) continue;
-      is_close = false;
-      b.parts *= 2;
-      numbers_.raise(cap_number(b));
-    }
-    return is_close;
-  }
-
   // Which vertices and facets are those of a cell.
   struct CellPlace {
     std::uint32_t first_vertex = 0, first_facet = 0;
@@ -645,6 +392,19 @@ class MicroMesher {
       }
     }
   }
+  std::optional<Error> make_bridges() {
+    if (bridges_.is_empty()) return std::nullopt;
+    const auto shared = shared_vertices();
+    const std::uint64_t most = std::min(options_.max_facets, kMaxMicroFacets);
+    const bool is_made = bridges_.make(
+        meshes_, most,
+        [&](std::uint32_t cell, std::vector<std::uint32_t>& ids) {
+          number_vertices_of(cell, shared, ids);
+        },
+        out_.mesh, *rounding_);
+    if (!is_made) return too_many_facets();
+    return std::nullopt;
+  }
   void make_facets() {
     const auto shared = shared_vertices();
     parallel_for(links_.cells.size(), kCellsInChunk, options_.jobs,
@@ -684,7 +444,7 @@ class MicroMesher {
   }
 
   Result<MicroMesh> result() {
-    out_.distance = std::max(distance(), bridges_distance_);
+    out_.distance = std::max(distance(), bridges_.distance());
     out_.rounding = rounding_->value();
     for (std::uint32_t k = 0; k < links_.kinds.size(); ++k)
       out_.parts.push_back(
@@ -697,6 +457,7 @@ class MicroMesher {
   const std::vector<AnalysedTile>& tiles_;
   const MicroMeshOptions& options_;
   CapLinks links_;
+  BridgeSurfaces bridges_;
   PartNumbers numbers_;
   std::vector<std::size_t> first_row_;  // of each grid: rows of cells along its third axis
   std::vector<CageCells> cages_;
@@ -716,9 +477,6 @@ class MicroMesher {
   std::vector<std::shared_ptr<const TileMesh>> meshes_;  // by kinds
   std::vector<bool> is_sampled_;                         // by cells
   std::vector<CellPlace> places_;
-  std::vector<PlacedBridge> bridges_;
-  std::optional<Error> bad_bridge_;
-  double bridges_distance_ = 0;
   MicroMesh out_;
 };
 

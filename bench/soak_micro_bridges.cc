@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// bench/soak_micro_bridges.cc: --rounds N --seed S. Bridges from jacks in random cages to the skins of random solids:
+// star-shaped ones with bumps, and tori, of a few thousand facets. Wrong: a bridge that prove_bridges does not prove;
+// an exact point of a bridge that is not in the interior of the solid; one of an end face farther from the surface
+// than the skin; a mesh of the whole that is not VALID with the numbers of the tiles. One JSON line: caps, bridges,
+// those dropped by reasons, and how many tries with positive determinants got a matrix. Seeds of what is wrong go to
+// standard error.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "bench/arguments.h"
+#include "robust/base/random.h"
+#include "solids/classify/mesh_classifier.h"
+#include "solids/classify/mesh_projection.h"
+#include "solids/micro/bridge/bridge_proof.h"
+#include "solids/micro/bridge/build_bridges.h"
+#include "solids/micro/fill_cage.h"
+#include "solids/micro/jack.h"
+#include "solids/micro/mesh/micro_mesh.h"
+#include "solids/micro/micro_topology.h"
+#include "solids/micro/synthesis/filter_tiles.h"
+#include "solids/polyhedron/validity.h"
+#include "splines/de_boor.h"
+#include "splines/de_casteljau.h"
+
+namespace {
+
+using namespace veritope;
+
+struct Totals {
+  std::uint64_t rounds = 0, tiles = 0, caps = 0, built = 0, wrong = 0, points = 0, unfolded = 0,
+                proved_unfolded = 0, meshes = 0;
+  std::array<std::uint64_t, kNumBridgeDrops> dropped{};
+};
+
+double number_between(Random& random, double lo, double hi) {
+  return lo + (hi - lo) * static_cast<double>(random.below(1u << 20)) / (1u << 20);
+}
+
+constexpr double kPi = 3.14159265358979;
+
+// A torus, or a sphere with bumps; inside of [-1, 1]^3.
+TriangleMesh random_solid(Random& random) {
+  TriangleMesh out;
+  const bool is_torus = random.below(3) == 0;
+  const std::uint32_t m = 48, n = is_torus ? 24 : 23;
+  std::array<double, 4> bump{};
+  for (double& b : bump) b = number_between(random, -0.12, 0.12);
+  const double tube = number_between(random, 0.25, 0.4);
+  for (std::uint32_t j = 0; j < n; ++j)
+    for (std::uint32_t i = 0; i < m; ++i) {
+      const double a = 2 * kPi * i / m;
+      if (is_torus) {
+        const double b = 2 * kPi * j / n, r = 0.55 + tube * std::cos(b);
+        out.positions.push_back({r * std::cos(a), r * std::sin(a), tube * std::sin(b)});
+        continue;
+      }
+      const double b = kPi * (j + 1) / (n + 1);
+      const double r = 0.62 + bump[0] * std::cos(3 * a) * std::sin(b) + bump[1] * std::cos(2 * b) +
+                       bump[2] * std::sin(2 * a + 1) * std::sin(b) + bump[3] * std::cos(b);
+      out.positions.push_back(
+          {r * std::sin(b) * std::cos(a), r * std::sin(b) * std::sin(a), r * std::cos(b)});
+    }
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return i % m + m * (j % n); };
+  for (std::uint32_t j = 0; j + (is_torus ? 0 : 1) < n; ++j)
+    for (std::uint32_t i = 0; i < m; ++i) {
+      const std::uint32_t a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+      if (is_torus) {
+        out.faces.push_back({a, b, c});
+        out.faces.push_back({a, c, d});
+      } else {
+        out.faces.push_back({a, c, b});
+        out.faces.push_back({a, d, c});
+      }
+    }
+  if (is_torus) return out;
+  const auto north = static_cast<std::uint32_t>(out.positions.size());
+  out.positions.push_back({0, 0, 0.62 + bump[1] + bump[3]});
+  out.positions.push_back({0, 0, -(0.62 + bump[1] - bump[3])});
+  for (std::uint32_t i = 0; i < m; ++i) {
+    out.faces.push_back({north, at(i, 0), at(i + 1, 0)});
+    out.faces.push_back({north + 1, at(i + 1, n - 1), at(i, n - 1)});
+  }
+  return out;
+}
+
+// A cube around [-1, 1]^3 whose inner control points, and those of the faces along them, are moved a bit.
+VVolume random_cage(Random& random) {
+  std::array<BSplineVolume<Rational>::Axis, 3> axes;
+  for (auto& axis : axes) {
+    axis.degree = 1 + static_cast<int>(random.below(3));
+    const std::size_t spans = 1 + random.below(3);
+    axis.knots.assign(static_cast<std::size_t>(axis.degree) + 1, Rational(0));
+    for (std::size_t s = 1; s < spans; ++s) axis.knots.push_back(Rational(s) / Rational(spans));
+    axis.knots.insert(axis.knots.end(), static_cast<std::size_t>(axis.degree) + 1, Rational(1));
+  }
+  Grid<3> grid;
+  for (std::size_t a = 0; a < 3; ++a)
+    grid.size[a] = axes[a].knots.size() - static_cast<std::size_t>(axes[a].degree) - 1;
+  std::vector<Rational> c;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < grid.count(); ++i) {
+      const auto index = grid.index_of(i);
+      // Greville's points move no line; each is moved by less than a tenth of the distance of neighbours.
+      Rational greville;
+      for (int d = 1; d <= axes[k].degree; ++d)
+        greville += axes[k].knots[index[k] + static_cast<std::size_t>(d)];
+      greville /= Rational(axes[k].degree);
+      Rational x = Rational(3) * greville - Rational(3) / Rational(2);
+      const bool is_at_end = index[k] == 0 || index[k] + 1 == grid.size[k];
+      if (!is_at_end) x += Rational(random.between(-30, 30)) / Rational(900);
+      c.push_back(x);
+    }
+  return VVolume(axes, 3, false, std::move(c));
+}
+
+std::string fault_of_points(const Microstructure& micro, const TriangleMesh& solid, double skin,
+                            Random& random, Totals& totals) {
+  const MeshClassifier classifier = std::move(MeshClassifier::make(solid).value());
+  const MeshProjection projection(solid);
+  for (const MicroBridge& b : micro.bridges) {
+    if (random.below(4) != 0) continue;
+    BezierVolume<Rational> map({b.degrees[0], b.degrees[1], kBridgeAxisDegree}, 3, false);
+    for (std::size_t i = 0; i < b.points.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c) map.component(static_cast<int>(c))[i] = b.points[i][c];
+    for (int sample = 0; sample < 4; ++sample) {
+      const auto t = [&] { return Rational(random.between(0, 64)) / Rational(64); };
+      const auto p = evaluate<Rational, 3>(map, {t(), t(), sample == 0 ? Rational(1) : t()});
+      const auto x = point(micro.cage[b.volume], {p[0], p[1], p[2]}).value();
+      ++totals.points;
+      if (classifier.classify(ExactPoint{x[0], x[1], x[2]}).winding != 1)
+        return "a point of a bridge is not in the interior of the solid";
+      const Rational most = Rational::from_double(skin) * Rational::from_double(skin);
+      if (sample == 0 && projection.project({x[0], x[1], x[2]}).squared_distance > most)
+        return "an end is too far from the surface";
+    }
+  }
+  return "";
+}
+
+std::string fault_of_round(Random& random, Totals& totals) {
+  const TriangleMesh solid = random_solid(random);
+  JackShape shape;
+  shape.degree = random.below(2) == 0 ? 1 : 3;
+  shape.cap = Rational(random.between(6, 10)) / Rational(64);
+  std::vector<VVolume> volumes = {random_cage(random)};
+  const VModel cage = make_v_model(volumes, VOrientation::kAuto).value();
+  const auto count = [&] { return static_cast<std::uint64_t>(random.between(8, 18)); };
+  Microstructure micro = fill_cage(
+                             volumes, cage, {count(), count(), count()},
+                             [&](unsigned arms) {
+                               shape.arms = arms;
+                               return jack_tile(shape);
+                             },
+                             1 << 20)
+                             .value();
+  std::vector<AnalysedTile> tiles;
+  for (const MicroTile& t : micro.tiles) tiles.push_back(std::get<AnalysedTile>(analyse_tile(t)));
+  if (!decide_validity(solid, {}).is_valid) return "";  // bumps may be too steep
+  const TileFilter filter = std::move(TileFilter::make(solid).value());
+  if (!filter_tiles_to(filter, 1, micro)) return "the filter refuses the cage";
+  BridgeOptions options;
+  options.alpha = number_between(random, 0.3, 0.7);
+  options.skin = default_skin(solid) * number_between(random, 0.5, 1.5);
+  const BridgeReport report = build_bridges(solid, cage, tiles, options, micro).value();
+  ++totals.rounds;
+  for (const std::uint8_t t : micro.grids[0].tiles) totals.tiles += t != 0;
+  totals.caps += report.caps;
+  totals.built += report.built;
+  for (std::size_t i = 0; i < kNumBridgeDrops; ++i) totals.dropped[i] += report.dropped[i];
+  totals.unfolded += report.unfolded;
+  totals.proved_unfolded += report.proved_unfolded;
+  if (!validate(micro)) return "the microstructure is not valid";
+  const auto topology = topology_of(micro, cage, tiles);
+  if (!std::holds_alternative<MicroCounts>(topology)) return "the tiles do not fit";
+  const auto proof = prove_bridges(micro, cage, tiles);
+  if (const auto* defect = std::get_if<BridgeDefect>(&proof))
+    return std::string("a bridge is not proved: ") + defect->condition;
+  if (std::string fault = fault_of_points(micro, solid, options.skin, random, totals);
+      !fault.empty())
+    return fault;
+  if (random.below(4) != 0 || std::get<MicroCounts>(topology).tiles == 0) return "";
+  MicroMeshOptions meshing;
+  meshing.chord = 0.01;
+  const Result<MicroMesh> mesh = mesh_of(micro, cage, tiles, meshing);
+  if (!mesh) return "no mesh: " + mesh.error().message;
+  ++totals.meshes;
+  const ValidityReport found = decide_validity(mesh->mesh, {});
+  const MicroCounts& n = std::get<MicroCounts>(topology);
+  if (!found.is_valid) return "the mesh is not VALID";
+  return found.counts.shells == n.shells && found.counts.genus == n.genus
+             ? ""
+             : "the mesh has other numbers";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int rounds = 100;
+  std::uint64_t seed = 1;
+  bench::read_arguments(argc, argv, {{"--rounds", &rounds}, {"--seed", &seed}});
+  Totals t;
+  for (int n = 0; n < rounds; ++n) {
+    Random random(seed * 1000003 + static_cast<std::uint64_t>(n));
+    const std::string fault = fault_of_round(random, t);
+    if (fault.empty()) continue;
+    ++t.wrong;
+    std::fprintf(stderr, "wrong: %s, seed %llu, round %d\n", fault.c_str(),
+                 static_cast<unsigned long long>(seed), n);
+  }
+  const auto n = [](std::uint64_t x) { return static_cast<unsigned long long>(x); };
+  std::printf(
+      "{\"name\":\"micro_bridges\",\"value\":%llu,\"goal\":\"0\",\"structures\":%llu,"
+      "\"tiles\":%llu,\"caps\":%llu,\"built\":%llu",
+      n(t.wrong), n(t.rounds), n(t.tiles), n(t.caps), n(t.built));
+  for (std::size_t i = 0; i < kNumBridgeDrops; ++i)
+    std::printf(",\"%s\":%llu", bridge_drop_name(static_cast<BridgeDrop>(i)), n(t.dropped[i]));
+  std::printf(",\"positive_tries\":%llu,\"with_matrix\":%llu,\"points\":%llu,\"meshes\":%llu}\n",
+              n(t.unfolded), n(t.proved_unfolded), n(t.points), n(t.meshes));
+  return t.wrong == 0 ? 0 : 1;
+}

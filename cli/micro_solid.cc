@@ -80,10 +80,12 @@ Result<std::optional<MicroSolid::Escape>> MicroSolid::escape_from(const VModel& 
   if (!found) return found.error();
   if (!found->has_value()) return std::optional<Escape>();
   std::optional<std::string> point;
-  if (const auto& p = (*found)->point)
-    point =
-        "its point near " + report::point_text({nearest_double((*p)[0]), nearest_double((*p)[1]),
-                                                nearest_double((*p)[2])});
+  if (const auto& p = (*found)->point) {
+    point = "its point near (";
+    for (std::size_t c = 0; c < 3; ++c)
+      *point += (c == 0 ? "" : ", ") + report::short_decimal(nearest_double((*p)[c]));
+    *point += ")";
+  }
   return told(to_string(patches_.complex->patch((*found)->patch).origin()), point, (*found)->face);
 }
 

@@ -17,6 +17,8 @@ constexpr std::size_t kManyParts = 4096;
 // A piece of a tile that is smaller than this part of the model, and still not apart, touches the surface, or as good
 // as that.
 constexpr double kHopelessPart = 0x1p-30;
+// Levels of the classifier's octree: one more costs twice the time to build, and gains no time on grids of 20^3 cells.
+constexpr int kLevels = 7;
 
 // The parts of the model near one tile, halved further where pieces of the tile are smaller than they are.
 class PatchParts final : public Obstacles {
@@ -98,7 +100,7 @@ void PatchParts::keep_close(const TilePiece& piece, std::vector<std::uint32_t>* 
 }  // namespace
 
 PatchModel::PatchModel(const PatchComplex& complex)
-    : classifier_(PatchClassifier::of_valid_model(complex)) {
+    : classifier_(PatchClassifier::of_valid_model(complex, kLevels)) {
   const ScopedUpward upward;
   cut(complex);
   find_shells(complex);

@@ -25,6 +25,16 @@ BezierSurface<Interval> enclosed_net(const Patch& patch) {
   return {map.degrees(), map.num_components(), map.is_rational(), std::move(c)};
 }
 
+// The curve in two equal columns.
+BezierSurface<Interval> enclosed_net(const Patch::Curve& curve) {
+  std::vector<Interval> c;
+  for (const Rational& x : curve.coefficients()) {
+    c.push_back(enclose(x));
+    c.push_back(c.back());
+  }
+  return {{curve.degree(0), 1}, curve.num_components(), curve.is_rational(), std::move(c)};
+}
+
 double approx_gap(const Box3& a, const Box3& b) {
   const Point3d p = approx_middle(a), q = approx_middle(b);
   return std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) + std::abs(p[2] - q[2]);
@@ -34,6 +44,11 @@ double approx_gap(const Box3& a, const Box3& b) {
 
 PatchPiece::PatchPiece(const Patch& patch, std::uint32_t number)
     : patch_(number), net_(enclosed_net(patch)) {
+  find_hull();
+}
+
+PatchPiece::PatchPiece(const Patch::Curve& curve, std::uint32_t number)
+    : patch_(number), net_(enclosed_net(curve)) {
   find_hull();
 }
 

@@ -21,6 +21,8 @@ class PatchPiece {
  public:
   /// The whole patch. REQUIRES positive weights.
   PatchPiece(const Patch& patch, std::uint32_t number);
+  /// A curve as a patch that does not depend on v; `number` is for the caller. REQUIRES positive weights.
+  PatchPiece(const Patch::Curve& curve, std::uint32_t number);
 
   std::uint32_t patch() const { return patch_; }
   /// Contain the images of the corners (0,0), (1,0), (0,1), (1,1) of the part.

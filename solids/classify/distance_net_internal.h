@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/classify/distance_net_internal.h: the squared distance from a point to a part of a patch, with derivatives,
+// enclosed. Internal to solids/classify.
+#pragma once
+#include <array>
+
+#include "interval/box.h"
+#include "interval/ring_numbers.h"
+#include "splines/bezier.h"
+
+namespace veritope::internal {
+
+/// Enclosures over [0,1]^2 of the half squared distance's first and second derivatives: of D = |S - q|^2 / 2.
+struct DistanceBounds {
+  std::array<Interval, 2> first;
+  std::array<Interval, 3> second;  ///< D_uu, D_uv, D_vv
+
+  /// D is strictly convex: it has at most one least point on any convex part of the square.
+  bool is_convex() const;
+};
+
+/// All functions REQUIRE a live ScopedUpward, and positive weights.
+DistanceBounds distance_bounds(const Box3& q, const BezierSurface<Interval>& net);
+/// The first derivatives at the parameters (0, 0).
+std::array<Interval, 2> distance_gradient_at_corner(const Box3& q,
+                                                    const BezierSurface<Interval>& net);
+/// A part of the net over a box in [0,1]^2, as a net over [0,1]^2.
+BezierSurface<Interval> net_over(const BezierSurface<Interval>& net, const Box2& part);
+/// Contains all points.
+Box3 hull_of_net(const BezierSurface<Interval>& net);
+
+/// A part of `within` that contains every zero of D's gradient there, by Krawczyk's operator; empty if there is none.
+/// `net` is the whole patch's.
+Box2 contracted(const Box3& q, const BezierSurface<Interval>& net, const Box2& within);
+/// The same for a net that does not depend on v: of the zeros of D_u, by Newton's operator. REQUIRES D_uu > 0 there.
+Interval contracted_curve(const Box3& q, const BezierSurface<Interval>& net,
+                          const Interval& within);
+
+}  // namespace veritope::internal

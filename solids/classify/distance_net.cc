@@ -102,19 +102,31 @@ DistanceBounds distance_bounds(const Box3& q, const BezierSurface<Interval>& net
   return out;
 }
 
-std::array<Interval, 2> distance_gradient_at_corner(const Box3& q,
-                                                    const BezierSurface<Interval>& net) {
-  const Grid<2> grid = net.grid();
-  const auto y = moved_net(q, net);
-  const Interval w = y[3][0];
-  const Box3 f(y[0][0] / w, y[1][0] / w, y[2][0] / w);
+std::array<Interval, 2> distance_gradient(const Box3& q, const BezierSurface<Interval>& net,
+                                          const std::array<double, 2>& at) {
+  // The larger part on one side of the parameters has them in a corner, where derivatives are differences.
+  BezierSurface<Interval> part = net;
+  std::array<bool, 2> is_end{};
+  std::array<Interval, 2> size;
+  for (std::size_t a = 0; a < 2; ++a) {
+    const Interval t(at[a]);
+    is_end[a] = at[a] > 0.5;
+    size[a] = is_end[a] ? t : Interval(1.0) - t;
+    part = is_end[a] ? left_part(std::move(part), a, t) : right_part(std::move(part), a, t);
+  }
+  const Grid<2> grid = part.grid();
+  const auto y = moved_net(q, part);
+  const std::size_t n =
+      grid.at({is_end[0] ? grid.size[0] - 1 : 0, is_end[1] ? grid.size[1] - 1 : 0});
+  const Interval w = y[3][n];
+  const Box3 f(y[0][n] / w, y[1][n] / w, y[2][n] / w);
   std::array<Interval, 2> out;
   for (std::size_t a = 0; a < 2; ++a) {
-    const std::size_t step = grid.stride(a);
-    const Interval degree(static_cast<double>(grid.size[a] - 1));
-    const Interval w1 = degree * (y[3][step] - w);
+    const std::size_t step = grid.stride(a), other = is_end[a] ? n - step : n + step;
+    const double degree = static_cast<double>(grid.size[a] - 1) * (is_end[a] ? -1 : 1);
+    const Interval factor = Interval(degree) / size[a], w1 = factor * (y[3][other] - w);
     Box3 d;
-    for (std::size_t c = 0; c < 3; ++c) d[c] = (degree * (y[c][step] - y[c][0]) - f[c] * w1) / w;
+    for (std::size_t c = 0; c < 3; ++c) d[c] = (factor * (y[c][other] - y[c][n]) - f[c] * w1) / w;
     out[a] = dot(f, d);
   }
   return out;
@@ -141,59 +153,72 @@ Box3 hull_of_net(const BezierSurface<Interval>& net) {
   return out;
 }
 
+namespace {
+
+// Second derivatives are taken over parts that are wider than this: in smaller ones they are lost in rounding.
+constexpr double kNarrow = 0x1p-12;
+constexpr int kMaxRounds = 12;
+
+// The second derivatives over a part of the square, by the square's parameters.
+std::array<Interval, 3> second_over(const Box3& q, const BezierSurface<Interval>& net,
+                                    const Box2& part) {
+  std::array<Interval, 3> out = distance_bounds(q, net_over(net, part)).second;
+  const Interval u = Interval(part[0].hi()) - Interval(part[0].lo()),
+                 v = Interval(part[1].hi()) - Interval(part[1].lo());
+  out[0] = out[0] / (u * u);
+  out[1] = out[1] / (u * v);
+  out[2] = out[2] / (v * v);
+  return out;
+}
+
+}  // namespace
+
 Box2 contracted(const Box3& q, const BezierSurface<Interval>& net, const Box2& within) {
   Box2 box = within;
-  for (int round = 0; round < 8; ++round) {
-    const BezierSurface<Interval> part = net_over(net, box);
-    const DistanceBounds all = distance_bounds(q, part);
-    // The gradient at the middle, in the units of the part: the half's is half as large.
-    BezierSurface<Interval> half = right_part(part, 0, Interval(0.5));
-    half = right_part(std::move(half), 1, Interval(0.5));
-    const std::array<Interval, 2> corner = distance_gradient_at_corner(q, half);
-    const std::array<Interval, 2> at{Interval(2.0) * corner[0], Interval(2.0) * corner[1]};
+  std::array<Interval, 3> second;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    if (round == 0 || (wid(box[0]) > kNarrow && wid(box[1]) > kNarrow))
+      second = second_over(q, net, box);
+    const std::array<double, 2> middle{mid(box[0]), mid(box[1])};
+    const std::array<Interval, 2> at = distance_gradient(q, net, middle);
     // An approximate inverse of the matrix of second derivatives.
-    const double a = approx_middle(all.second[0]), b = approx_middle(all.second[1]),
-                 d = approx_middle(all.second[2]), det = a * d - b * b;
+    const double a = approx_middle(second[0]), b = approx_middle(second[1]),
+                 d = approx_middle(second[2]), det = a * d - b * b;
     if (!std::isfinite(1 / det)) return box;
     const std::array<std::array<Interval, 2>, 2> y{
         {{Interval(d / det), Interval(-b / det)}, {Interval(-b / det), Interval(a / det)}}};
     const std::array<std::array<Interval, 2>, 2> h{
-        {{all.second[0], all.second[1]}, {all.second[1], all.second[2]}}};
-    const Interval reach = Interval::from_bounds(-0.5, 0.5), one(1.0), zero;
+        {{second[0], second[1]}, {second[1], second[2]}}};
+    const std::array<Interval, 2> reach{box[0] - Interval(middle[0]), box[1] - Interval(middle[1])};
     Box2 next;
     bool shrinks = false;
     for (std::size_t i = 0; i < 2; ++i) {
-      Interval x = Interval(0.5) - (y[i][0] * at[0] + y[i][1] * at[1]);
+      Interval x = Interval(middle[i]) - (y[i][0] * at[0] + y[i][1] * at[1]);
       for (std::size_t k = 0; k < 2; ++k)
-        x += ((i == k ? one : zero) - (y[i][0] * h[0][k] + y[i][1] * h[1][k])) * reach;
-      x = intersection(x, Interval::from_bounds(0.0, 1.0));
-      if (x.is_empty()) return Box2::empty();
-      const Interval lo(box[i].lo()), size = Interval(box[i].hi()) - lo;
-      next[i] = intersection(lo + size * x, box[i]);
+        x += (Interval(i == k ? 1.0 : 0.0) - (y[i][0] * h[0][k] + y[i][1] * h[1][k])) * reach[k];
+      next[i] = intersection(x, box[i]);
+      if (next[i].is_empty()) return Box2::empty();
       shrinks = shrinks || wid(next[i]) < 0.75 * wid(box[i]);
     }
-    if (next.is_empty()) return next;
     box = next;
-    if (!shrinks || wid(box[0]) <= 0 || wid(box[1]) <= 0) break;
+    if (!shrinks) break;
   }
   return box;
 }
 
 Interval contracted_curve(const Box3& q, const BezierSurface<Interval>& net,
                           const Interval& within) {
-  Interval box = within;
-  for (int round = 0; round < 8; ++round) {
-    const BezierSurface<Interval> part = net_over(net, Box2(box, Interval::from_bounds(0.0, 1.0)));
-    const Interval slope = distance_bounds(q, part).second[0];
+  Interval box = within, slope;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    if (round == 0 || wid(box) > kNarrow)
+      slope = second_over(q, net, Box2(box, Interval::from_bounds(0.0, 1.0)))[0];
     if (slope.sign() != Sign3::kPositive) return box;
-    const BezierSurface<Interval> half = right_part(part, 0, Interval(0.5));
-    const Interval at = Interval(2.0) * distance_gradient_at_corner(q, half)[0];
-    const Interval x = intersection(Interval(0.5) - at / slope, Interval::from_bounds(0.0, 1.0));
-    if (x.is_empty()) return x;
-    const Interval lo(box.lo()), next = intersection(lo + (Interval(box.hi()) - lo) * x, box);
-    const bool shrinks = wid(next) < 0.75 * wid(box);
+    const double middle = mid(box);
+    const Interval at = distance_gradient(q, net, {middle, 0.0})[0];
+    const Interval next = intersection(Interval(middle) - at / slope, box);
+    const bool shrinks = next.is_empty() || wid(next) < 0.75 * wid(box);
     box = next;
-    if (box.is_empty() || !shrinks || wid(box) <= 0) break;
+    if (box.is_empty() || !shrinks) break;
   }
   return box;
 }

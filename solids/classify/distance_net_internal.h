@@ -21,16 +21,15 @@ struct DistanceBounds {
 
 /// All functions REQUIRE a live ScopedUpward, and positive weights.
 DistanceBounds distance_bounds(const Box3& q, const BezierSurface<Interval>& net);
-/// The first derivatives at the parameters (0, 0).
-std::array<Interval, 2> distance_gradient_at_corner(const Box3& q,
-                                                    const BezierSurface<Interval>& net);
+/// The first derivatives at these parameters of the square.
+std::array<Interval, 2> distance_gradient(const Box3& q, const BezierSurface<Interval>& net,
+                                          const std::array<double, 2>& at);
 /// A part of the net over a box in [0,1]^2, as a net over [0,1]^2.
 BezierSurface<Interval> net_over(const BezierSurface<Interval>& net, const Box2& part);
 /// Contains all points.
 Box3 hull_of_net(const BezierSurface<Interval>& net);
 
 /// A part of `within` that contains every zero of D's gradient there, by Krawczyk's operator; empty if there is none.
-/// `net` is the whole patch's.
 Box2 contracted(const Box3& q, const BezierSurface<Interval>& net, const Box2& within);
 /// The same for a net that does not depend on v: of the zeros of D_u, by Newton's operator. REQUIRES D_uu > 0 there.
 Interval contracted_curve(const Box3& q, const BezierSurface<Interval>& net,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <deque>
 #include <map>
+#include <optional>
 #include <queue>
 #include <set>
 #include <utility>
@@ -23,11 +24,11 @@ using namespace internal;
 namespace {
 
 // Parts below this part of the model's size are examined no further.
-constexpr double kSmallestPart = 0x1p-36;
+constexpr double kSmallestPart = 0x1p-26;
 // Newton's method begins with parts that were halved so often along each axis.
 constexpr double kWidestStart = 0.25;
 // If Newton's method leaves more than this of the parameters, it goes on with halves of the part.
-constexpr double kWideZero = 0x1p-34;
+constexpr double kWideZero = 0x1p-30;
 
 Interval square_of_gap(const Box3& q, const Box3& p) {
   const Box3 d = q - p;
@@ -93,6 +94,7 @@ class PatchProjectionSearch {
  private:
   // With its parameters, of a patch or of an edge.
   struct Place : NearestPlace {
+    Place() { squared_distance = Interval::from_bounds(0.0, HUGE_VAL); }
     Box2 at;
   };
   enum Kind { kRange, kOfPatch, kOfEdge };
@@ -142,7 +144,7 @@ class PatchProjectionSearch {
     out.number = vertex;
     out.patch = corner.patch;
     out.is_single = true;
-    places_.push_back(out);
+    put(std::move(out));
   }
   // The side u = 0 (axis 0, end 0), u = 1, v = 0 or v = 1 of the square.
   void open_side(std::uint32_t patch, std::size_t axis, std::size_t end) {
@@ -219,7 +221,7 @@ class PatchProjectionSearch {
       const Interval range = piece.range(a), lo(range.lo());
       out.at[a] = intersection(lo + (Interval(range.hi()) - lo) * at[a], range);
     }
-    places_.push_back(out);
+    put(std::move(out));
   }
   static PatchFeature feature_of(Kind kind) {
     return kind == kOfPatch ? PatchFeature::kPatch : PatchFeature::kEdge;
@@ -240,7 +242,16 @@ class PatchProjectionSearch {
     Box3 box;
     for (std::size_t c = 0; c < 3; ++c)
       box[c] = Interval::from_bounds(piece.box().lo[c], piece.box().hi[c]);
-    places_.push_back(place_of(kind, piece, box));
+    Place out = place_of(kind, piece, box);
+    out.squared_distance = Interval::from_bounds(least_square_to(q_, piece), HUGE_VAL);
+    put(std::move(out));
+  }
+  // The squared distance is what is known already and what the box tells.
+  void put(Place place) {
+    const Interval square = square_of_gap(q_, place.point), known = place.squared_distance;
+    place.squared_distance = Interval::from_bounds(std::max({square.lo(), known.lo(), 0.0}),
+                                                   std::min(square.hi(), known.hi()));
+    places_.push_back(std::move(place));
   }
 
   void join(const Place& other, Place* into) const;
@@ -260,18 +271,31 @@ class PatchProjectionSearch {
   std::vector<Place> places_;
 };
 
+// On some box around the place's parameters: the derivatives on a tiny one would be lost in rounding.
 bool PatchProjectionSearch::is_convex_on(const Place& place) const {
-  if (place.feature == PatchFeature::kPatch)
-    return distance_bounds(q_, net_over(over_.roots_[place.number].net(), place.at)).is_convex();
   if (place.feature == PatchFeature::kVertex) return true;
-  const PatchSide side = complex_.sides(place.number).front();
-  const PatchPiece curve(complex_.patch(side.patch).side(side.side), 0);
-  return distance_bounds(q_, net_over(curve.net(), place.at)).second[0].sign() == Sign3::kPositive;
+  const bool is_patch = place.feature == PatchFeature::kPatch;
+  std::optional<PatchPiece> curve;
+  if (!is_patch) {
+    const PatchSide side = complex_.sides(place.number).front();
+    curve.emplace(complex_.patch(side.patch).side(side.side), 0);
+  }
+  const BezierSurface<Interval>& net = (is_patch ? over_.roots_[place.number] : *curve).net();
+  for (const double by : {0x1p-4, 0x1p-8, 0x1p-12}) {
+    Box2 around = place.at;
+    for (std::size_t a = 0; a < 2; ++a)
+      around[a] =
+          intersection(around[a] + Interval::from_bounds(-by, by), Interval::from_bounds(0.0, 1.0));
+    const DistanceBounds bounds = distance_bounds(q_, net_over(net, around));
+    if (is_patch ? bounds.is_convex() : bounds.second[0].sign() == Sign3::kPositive) return true;
+  }
+  return false;
 }
 
 // One place that holds both. It is single if both are of one convex part.
 void PatchProjectionSearch::join(const Place& other, Place* into) const {
   into->point = hull(into->point, other.point);
+  into->squared_distance = hull(into->squared_distance, other.squared_distance);
   const bool is_one_cell = into->feature == other.feature && into->number == other.number;
   const bool are_single = into->is_single && other.is_single;
   if (!is_one_cell && other.feature < into->feature) {
@@ -318,11 +342,8 @@ PatchProjectionAnswer PatchProjectionSearch::answer(bool is_decided) {
   out.is_decided = is_decided;
   double least = bound_;
   for (const Place& p : places_) {
-    NearestPlace place = p;
-    const Interval square = square_of_gap(q_, p.point);
-    least = std::min(least, square.lo());
-    place.squared_distance = Interval::from_bounds(square.lo(), std::max(square.hi(), square.lo()));
-    out.places.push_back(place);
+    least = std::min(least, p.squared_distance.lo());
+    out.places.push_back(p);
   }
   out.squared_distance = Interval::from_bounds(std::max(least, 0.0), bound_);
   std::sort(out.places.begin(), out.places.end(), [](const NearestPlace& a, const NearestPlace& b) {

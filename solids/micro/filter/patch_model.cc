@@ -78,7 +78,7 @@ std::uint32_t PatchParts::halves_of(std::uint32_t number) {
 }
 
 void PatchParts::keep_close(const TilePiece& piece, std::vector<std::uint32_t>* numbers) {
-  const GrownHull hull(piece);
+  const CornerHull hull(piece.corners, excess_of(piece), box_of(piece));
   const double size = extent(hull.box());
   std::vector<std::uint32_t> stack(numbers->rbegin(), numbers->rend());
   numbers->clear();

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "solids/base/box_hierarchy.h"
+#include "solids/classify/corner_hull.h"
 #include "solids/classify/patch_classifier.h"
 #include "solids/classify/patch_piece.h"
 #include "solids/micro/filter/filter_model_internal.h"
-#include "solids/micro/filter/separation_internal.h"
 
 namespace veritope::internal {
 
@@ -18,7 +18,7 @@ namespace veritope::internal {
 struct PatchObstacle {
   explicit PatchObstacle(PatchPiece part) : piece(std::move(part)), hull(piece) {}
   PatchPiece piece;
-  GrownHull hull;
+  CornerHull hull;
 };
 
 class PatchModel final : public TileFilter::Model {

@@ -21,24 +21,15 @@ double approx_dot(const Point3d& a, const Point3d& b) {
 
 }  // namespace
 
-void GrownHull::take_corners(const std::array<Box3, 4>& corners) {
-  points_.assign(corners.begin(), corners.end());
+GrownHull::GrownHull(const TilePiece& piece) {
+  points_.assign(piece.corners.begin(), piece.corners.end());
   for (const Box3& p : points_) approx_.push_back(approx_middle(p));
+  excess_ = excess_of(piece);
+  box_ = box_of(piece);
   edges_ = {approx_difference(approx_[1], approx_[0]), approx_difference(approx_[3], approx_[2]),
             approx_difference(approx_[2], approx_[0]), approx_difference(approx_[3], approx_[1]),
             approx_difference(approx_[3], approx_[0]), approx_difference(approx_[2], approx_[1])};
   normal_ = approx_cross(edges_[4], edges_[5]);
-}
-
-GrownHull::GrownHull(const TilePiece& piece) {
-  take_corners(piece.corners);
-  for (std::size_t c = 0; c < 3; ++c)
-    excess_[c] = (Interval(piece.bend[0][c]) + Interval(piece.bend[1][c])).hi();
-  box_ = box_of(piece);
-}
-
-GrownHull::GrownHull(const PatchPiece& piece) : excess_(piece.excess()), box_(piece.box()) {
-  take_corners(piece.corners());
 }
 
 GrownHull::GrownHull(const TilePiece& piece, const Box3& apex) : GrownHull(piece) {
@@ -105,33 +96,6 @@ bool GrownHull::is_apart(const std::array<Vec3d, 3>& facet) const {
   return finds_direction(facet, [&](const Point3d& d) {
     return may_be_apart(d, facet, excess_) && is_proved_apart(d, facet);
   });
-}
-
-// Whether the greatest value of this hull along the direction is less than the other one's least: guessed, then proved.
-bool GrownHull::is_below(const GrownHull& other, const Point3d& d) const {
-  if (!std::isfinite(d[0] + d[1] + d[2])) return false;
-  double reach = 0, most = -HUGE_VAL, least = HUGE_VAL;
-  for (std::size_t c = 0; c < 3; ++c) reach += std::abs(d[c]) * (excess_[c] + other.excess_[c]);
-  for (const Point3d& p : approx_) most = std::max(most, approx_dot(d, p));
-  for (const Point3d& p : other.approx_) least = std::min(least, approx_dot(d, p));
-  if (!(most + reach < least)) return false;
-  const Box3 n{Interval(d[0]), Interval(d[1]), Interval(d[2])};
-  Interval excess;
-  for (std::size_t c = 0; c < 3; ++c)
-    excess += Interval(mag(n[c])) * (Interval(excess_[c]) + Interval(other.excess_[c]));
-  double hi = -HUGE_VAL, lo = HUGE_VAL;
-  for (const Box3& p : points_) hi = std::max(hi, dot(n, p).hi());
-  for (const Box3& p : other.points_) lo = std::min(lo, dot(n, p).lo());
-  return (Interval(lo) - Interval(hi) - excess).sign() == Sign3::kPositive;
-}
-
-bool GrownHull::is_apart(const GrownHull& other) const {
-  if (!meets(box_, other.box_)) return true;
-  const auto holds = [&](const Point3d& d) {
-    return is_below(other, d) || is_below(other, Point3d{-d[0], -d[1], -d[2]});
-  };
-  return holds(normal_) || holds(other.normal_) ||
-         is_below(other, approx_difference(approx_centre(other.box_), approx_centre(box_)));
 }
 
 bool GrownHull::may_have_gap(const std::array<Vec3d, 3>& facet, double gap) const {

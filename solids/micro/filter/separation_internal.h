@@ -7,7 +7,6 @@
 
 #include "interval/box.h"
 #include "predicates/vec.h"
-#include "solids/classify/patch_piece.h"
 #include "solids/micro/filter/tile_pieces_internal.h"
 
 namespace veritope::internal {
@@ -19,22 +18,16 @@ class GrownHull {
   explicit GrownHull(const TilePiece& piece);
   /// The hull of the piece and another point.
   GrownHull(const TilePiece& piece, const Box3& apex);
-  explicit GrownHull(const PatchPiece& piece);
 
   const Box3d& box() const { return box_; }
   /// True only if a plane separates the hull from the closed triangle: they are disjoint. Candidates: the planes along
   /// the axes, the triangle's, that of the piece's diagonals, and those along an edge of each.
   bool is_apart(const std::array<Vec3d, 3>& facet) const;
-  /// The same of another hull. Candidates: the planes along the axes, those of the diagonals of both, and those across
-  /// the line between the middles.
-  bool is_apart(const GrownHull& other) const;
   /// Whether some candidate leaves the boxes, without excess, on one side and the triangle on the other, at a distance
   /// of `gap` times the direction's length; negative gaps allow an overlap. Approximate.
   bool may_have_gap(const std::array<Vec3d, 3>& facet, double gap) const;
 
  private:
-  void take_corners(const std::array<Box3, 4>& corners);
-  bool is_below(const GrownHull& other, const Point3d& direction) const;
   template <typename Separates>
   bool finds_direction(const std::array<Vec3d, 3>& facet, Separates separates) const;
   bool is_proved_apart(const Point3d& direction, const std::array<Vec3d, 3>& facet) const;

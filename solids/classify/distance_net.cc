@@ -142,6 +142,20 @@ BezierSurface<Interval> net_over(const BezierSurface<Interval>& net, const Box2&
   return out;
 }
 
+std::array<Box3, 2> first_derivatives(const BezierSurface<Interval>& net, const Box2& part) {
+  const BezierSurface<Interval> over = net_over(net, part);
+  // With the origin near the part, so that numbers of rational maps are small.
+  const Point3d middle = approx_middle(hull_of_net(over));
+  const QuotientBounds bounds =
+      quotient_bounds(Box3(Interval(middle[0]), Interval(middle[1]), Interval(middle[2])), over);
+  std::array<Box3, 2> out;
+  for (std::size_t a = 0; a < 2; ++a) {
+    const Interval size = Interval(part[a].hi()) - Interval(part[a].lo());
+    for (std::size_t c = 0; c < 3; ++c) out[a][c] = bounds.first[a][c] / size;
+  }
+  return out;
+}
+
 Box3 hull_of_net(const BezierSurface<Interval>& net) {
   Box3 out = Box3::empty();
   for (std::size_t i = 0; i < net.component(0).size(); ++i) {

@@ -26,6 +26,8 @@ std::array<Interval, 2> distance_gradient(const Box3& q, const BezierSurface<Int
                                           const std::array<double, 2>& at);
 /// A part of the net over a box in [0,1]^2, as a net over [0,1]^2.
 BezierSurface<Interval> net_over(const BezierSurface<Interval>& net, const Box2& part);
+/// S_u and S_v over a box in [0,1]^2 whose sides are longer than 0.
+std::array<Box3, 2> first_derivatives(const BezierSurface<Interval>& net, const Box2& part);
 /// Contains all points.
 Box3 hull_of_net(const BezierSurface<Interval>& net);
 

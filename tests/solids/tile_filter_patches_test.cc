@@ -102,15 +102,14 @@ TEST(TileFilterPatches, ContactsAreUndecidedAndNeverKept) {
 TEST(TileFilterPatches, LimitsEndInUndecided) {
   TileFilterLimits limits;
   limits.max_pieces = 6;
-  // A corner of the tile is 1/1000 off.
-  EXPECT_EQ(find_in(patch_shapes::sphere(), cube_cell({pq(1201, 1000), pq(0), pq(0)}, pq(1, 5)),
-                    full_cube(), limits)
-                .status,
+  // The face at u = 0 is the parabolic cylinder x = 1001/1000 + 198/500 (v - 1/2)^2.
+  const auto bent = micro_tiles::cage({1, 2, 1}, [](const Point& u) {
+    return Point{pq(1) + u[0] / pq(5) + (u[1] == pq(1, 2) ? pq(-98, 1000) : pq(1, 10)),
+                 u[1] - pq(1, 2), u[2] - pq(1, 2)};
+  });
+  EXPECT_EQ(find_in(patch_shapes::sphere(), bent, full_cube(), limits).status,
             CellStatus::kUndecided);
-  EXPECT_EQ(find_in(patch_shapes::sphere(), cube_cell({pq(1201, 1000), pq(0), pq(0)}, pq(1, 5)),
-                    full_cube())
-                .status,
-            CellStatus::kOutside);
+  EXPECT_EQ(find_in(patch_shapes::sphere(), bent, full_cube()).status, CellStatus::kOutside);
 }
 
 TEST(TileFilterPatches, NearMissesOfEverySizeAreDecided) {

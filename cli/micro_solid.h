@@ -28,7 +28,7 @@ class MicroSolid {
   std::uint64_t bytes() const { return num_bytes(file_); }
   /// Nothing if the solid is VALID; else why not.
   const std::optional<std::string>& fault() const { return fault_; }
-  /// Whether the fault is no defect of the solid.
+  /// Whether the fault is that something was not decided, and not a defect of the solid.
   bool is_undecided() const { return is_open_; }
 
   /// REQUIRES !fault().

@@ -9,7 +9,6 @@
 
 #include "interval/box.h"
 #include "solids/base/box_hierarchy.h"
-#include "solids/base/range_tree.h"
 #include "solids/classify/patch_piece.h"
 #include "solids/classify/point_answer.h"
 #include "solids/patches/patch_complex.h"
@@ -32,7 +31,7 @@ class MeshCrossings {
   explicit MeshCrossings(const TriangleMesh& mesh);
   explicit MeshCrossings(TriangleMesh&&) = delete;
 
-  /// All meetings of the open polygon p0 p1 ... and the facets, by segment, begin and facet. A point of the polygon on an
+  /// All meetings of the open polygon p0 p1 ... and the facets, by segment, begin and facet. A point of it on an
   /// edge or at a vertex is there once for each facet there, and a vertex of the polygon once for each segment.
   /// A segment of length 0 is a point: t is 0. @cost facets whose boxes meet that of a segment, in rationals
   std::vector<PolygonCrossing> find(std::span<const ExactPoint> polygon) const;
@@ -66,7 +65,8 @@ class PatchCrossings {
 
   /// Pairs of parts of the curve and of patches, halved until planes separate them, or Krawczyk's operator proves a
   /// crossing, or they are small (2^-26 of the model).
-  /// @param max_pairs  the limit of work. REQUIRES a curve in space, with positive weights if it is rational
+  /// @param max_pairs  the limit of work
+  /// REQUIRES a curve in space of degree 1 or more, with positive weights if it is rational.
   CurveCrossings find(const BezierCurve<Rational>& curve, std::size_t max_pairs = 50000) const;
 
  private:

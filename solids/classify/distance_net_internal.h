@@ -31,9 +31,10 @@ std::array<Box3, 2> first_derivatives(const BezierSurface<Interval>& net, const 
 /// Contains all points.
 Box3 hull_of_net(const BezierSurface<Interval>& net);
 
-/// A part of `within` that contains every zero of D's gradient there, by Krawczyk's operator; empty if there is none.
+/// A part of `within` that contains every zero of D's gradient there, by Krawczyk's operator; empty if it has none.
 Box2 contracted(const Box3& q, const BezierSurface<Interval>& net, const Box2& within);
-/// The same for a net that does not depend on v: of the zeros of D_u, by Newton's operator. REQUIRES D_uu > 0 there.
+/// A part that contains every zero of D_u, for a net that does not depend on v, by Newton's operator.
+/// REQUIRES D_uu > 0 there.
 Interval contracted_curve(const Box3& q, const BezierSurface<Interval>& net,
                           const Interval& within);
 

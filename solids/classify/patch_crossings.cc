@@ -106,8 +106,6 @@ Trial try_crossing(const Meeting& meeting, TripleBox* x) {
   return is_proved ? Trial::kOne : Trial::kUnknown;
 }
 
-}  // namespace
-
 class PatchCrossingSearch {
  public:
   PatchCrossingSearch(const std::vector<PatchPiece>& roots, const PatchPiece& curve, double size)
@@ -158,8 +156,7 @@ class PatchCrossingSearch {
     return out;
   }
   CurveCrossing place_of(const Pair& pair) const {
-    CurveCrossing out = place_at(ranges_of(pair), pair.patch.patch());
-    return out;
+    return place_at(ranges_of(pair), pair.patch.patch());
   }
   static bool contains(const TripleBox& x, const TripleBox& part) {
     for (std::size_t i = 0; i < 3; ++i)
@@ -228,6 +225,8 @@ class PatchCrossingSearch {
   std::vector<Pair> stack_;
   std::vector<Proved> proved_;
 };
+
+}  // namespace
 
 PatchCrossings::PatchCrossings(const PatchComplex& complex) {
   const ScopedUpward upward;

@@ -45,7 +45,8 @@ double least_square_to(const Box3& q, const Box3d& box) {
   return sum.lo();
 }
 
-// The same for a part of a patch: by its box, and by the plane across the line to its middle.
+// A lower bound of the squared distances from a part of a patch: by its box, and by the plane across the line to its
+// middle.
 double least_square_to(const Box3& q, const PatchPiece& piece) {
   const double by_box = least_square_to(q, piece.box());
   const Point3d middle = approx_centre(piece.box()), from = approx_middle(q);

@@ -20,7 +20,7 @@ enum class PatchFeature : std::uint8_t { kVertex, kEdge, kPatch };
 /// A place that may hold nearest points.
 struct NearestPlace {
   Box3 point;  ///< contains them
-  /// Of the point's distance to them, squared.
+  /// Contains the squares of their distances from the point.
   Interval squared_distance;
   PatchFeature feature = PatchFeature::kPatch;
   std::uint32_t number = 0;  ///< of the vertex, edge or patch, in the complex

@@ -16,7 +16,7 @@ constexpr std::uint64_t kRoundSeed = 20261202;
 
 TEST(TileFilterPatchesDiff, EquationsOfRoundSolidsContradictNoStatus) {
   std::array<int, 5> seen{};
-  for (int n = 0; n < scaled(96); ++n) {
+  for (int n = 0; n < scaled(60); ++n) {
     Random random(kRoundSeed + static_cast<std::uint64_t>(n));
     const bool is_affine = n % 4 != 0;
     const Case c = random_case(random, static_cast<Solid::Kind>(n % Solid::kNumKinds), is_affine);
@@ -40,7 +40,7 @@ TEST(TileFilterPatchesDiff, EquationsOfRoundSolidsContradictNoStatus) {
 
 // The solid in another place and size with the cell, with its patches turned around and in another order.
 TEST(TileFilterPatchesLaw, OtherDescriptionsAreOneQuestion) {
-  for (int n = 0; n < scaled(18); ++n) {
+  for (int n = 0; n < scaled(12); ++n) {
     Random random(kRoundSeed + 1000 + static_cast<std::uint64_t>(n));
     const Case c = random_case(random, static_cast<Solid::Kind>(n % Solid::kNumKinds), n % 2 == 0);
     const TileShape shape = micro_tiles::shape_of(c.tile);

@@ -91,7 +91,7 @@ inline Rational least_square(const RVec& a, const RVec& b) {
   return oracle::dot(a, a) - along * along / length;
 }
 
-/// Of a hexahedron with flat faces, numbered as micro_tiles::Hexahedron; it may be mirrored.
+/// The range on a hexahedron with flat faces, numbered as micro_tiles::Hexahedron; it may be mirrored.
 inline SquareRange square_range(const micro_tiles::Hexahedron& h) {
   using oracle::operator-;
   SquareRange out{oracle::dot(h[0], h[0]), oracle::dot(h[0], h[0])};
@@ -132,7 +132,7 @@ inline SquareRange square_range(const micro_tiles::Hexahedron& h) {
   return out;
 }
 
-/// The least of x^2 + y^2 on the part of the hexahedron with lo <= z <= hi; nothing if there is none.
+/// The least of x^2 + y^2 on the part of the hexahedron with lo <= z <= hi; nothing if it is empty.
 inline std::optional<Rational> least_around_axis(const micro_tiles::Hexahedron& h,
                                                  const Rational& lo, const Rational& hi) {
   std::vector<RVec> points;

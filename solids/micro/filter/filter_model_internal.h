@@ -51,7 +51,8 @@ class ShellVertices {
  public:
   static constexpr std::uint32_t kUnused = 0xffffffffu;
   ShellVertices() = default;
-  /// `shell_of` holds the shell of each vertex, or kUnused; `point` encloses a vertex. REQUIRES that each shell has one.
+  /// `shell_of` holds the shell of each vertex, or kUnused; `point` encloses a vertex.
+  /// REQUIRES that each shell has one.
   template <typename Point>
   ShellVertices(const std::vector<std::uint32_t>& shell_of, std::uint32_t num_shells, Point point) {
     begin_.assign(num_shells + 1, 0);

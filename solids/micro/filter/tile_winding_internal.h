@@ -9,8 +9,8 @@
 namespace veritope::internal {
 
 /// Whether the points of the box lie in the interior of the tile in space, or off it; nothing if that was not decided,
-/// as for a point of the tile's surface. By the crossings of a ray with the surface, each counted as the winding number of the border of a
-/// piece, seen along the ray. REQUIRES bounded pieces and a live ScopedUpward.
+/// as for a point of the tile's surface. By the crossings of a ray with the surface, each counted as the winding number
+/// of the border of a piece, seen along the ray. REQUIRES bounded pieces and a live ScopedUpward.
 /// @cost the pieces near the ray
 std::optional<bool> is_in_tile(const TilePieces& pieces, const Box3& point);
 

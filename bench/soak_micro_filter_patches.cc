@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_micro_filter_patches.cc: --cases N --curved N --points N --seed S. Random tiles (jacks and boxes) in random
-// cells near the surface of solids of rational patches whose equations are known: balls with and without poles, shells,
-// cylinders, a ball with a neck, tori. In affine cells most truths are known in fractions, witnesses included; in curved
-// cells, which are one to one by construction, exact points of the tile must not contradict the status. One JSON line a
-// kind: wrong results; those that are undecided are counted; a wrong case goes to standard error.
+// bench/soak_micro_filter_patches.cc: --cases N --curved N --points N --seed S. Random tiles (jacks and boxes) in
+// random cells near the surface of solids of rational patches whose equations are known: balls with and without poles,
+// shells, cylinders, a ball with a neck, tori. In affine cells most truths are known in fractions, witnesses included;
+// in curved cells, which are one to one by construction, exact points of the tile must not contradict the status. One
+// JSON line a kind: wrong results; undecided ones are counted; a wrong case goes to standard error.
 #include <array>
 #include <cstdio>
 #include <string>
@@ -66,7 +66,7 @@ std::uint64_t print(const char* name, const Totals& t) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  int cases = 1200, curved = 300, points = 2000;
+  int cases = 1200, curved = 300, points = 500;
   std::uint64_t seed = 1;
   bench::read_arguments(
       argc, argv,

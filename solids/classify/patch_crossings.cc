@@ -122,12 +122,12 @@ class PatchCrossingSearch {
       if (CornerHull(pair.curve).is_apart(CornerHull(pair.patch))) continue;
       if (*pairs_left == 0) {
         out->is_complete = false;
-        open.push_back(place_of(pair));
+        leave(pair, &open);
         continue;
       }
       --*pairs_left;
       if (is_settled(pair)) continue;
-      if (!halve(pair)) open.push_back(place_of(pair));
+      if (!halve(pair)) leave(pair, &open);
     }
     for (const Proved& p : proved_) out->places.push_back(p.place);
     join(std::move(open), out);
@@ -155,8 +155,10 @@ class PatchCrossingSearch {
                              hull_of_net(net_over(roots_[patch].net(), out.parameters)));
     return out;
   }
-  CurveCrossing place_of(const Pair& pair) const {
-    return place_at(ranges_of(pair), pair.patch.patch());
+  // Two boxes without a common point have no crossing.
+  void leave(const Pair& pair, std::vector<CurveCrossing>* open) const {
+    CurveCrossing place = place_at(ranges_of(pair), pair.patch.patch());
+    if (!place.point.is_empty()) open->push_back(place);
   }
   static bool contains(const TripleBox& x, const TripleBox& part) {
     for (std::size_t i = 0; i < 3; ++i)

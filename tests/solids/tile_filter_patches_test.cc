@@ -126,6 +126,20 @@ TEST(TileFilterPatches, NearMissesOfEverySizeAreDecided) {
   }
 }
 
+TEST(TileFilterPatches, TinyTilesNearALargeSolidAreDecided) {
+  const auto jack = micro_tiles::jack(3);
+  for (const int bits : {10, 20, 30, 36}) {
+    const Rational size = Rational::power_of_two(-bits);
+    const auto at = [&](std::int64_t steps) {
+      return status_in(patch_shapes::sphere(),
+                       cube_cell({pq(1) + pq(steps) * size, pq(0), pq(0)}, size), jack);
+    };
+    EXPECT_EQ(at(2), CellStatus::kOutside) << bits;
+    EXPECT_EQ(at(0), CellStatus::kCrossing) << bits;
+    EXPECT_EQ(at(-2), CellStatus::kKept) << bits;
+  }
+}
+
 TEST(TileFilterPatches, TrianglesAndPolynomialPatchesAreSolidsToo) {
   const Patches pn = patch_shapes::pn_torus(12, 8);
   const auto jack = micro_tiles::jack(3);

@@ -14,8 +14,8 @@ namespace {
 
 // Patches are cut in advance until there are about so many parts.
 constexpr std::size_t kManyParts = 4096;
-// A piece of a tile that is smaller than this part of the model, and still not apart, touches the surface, or as good
-// as that.
+// A piece that is smaller than this part of the tile's largest one and of the model, and still not apart, touches the
+// surface, or as good as that.
 constexpr double kHopelessPart = 0x1p-30;
 // Levels of the classifier's octree: one more costs twice the time to build, and gains no time on grids of 20^3 cells.
 constexpr int kLevels = 7;
@@ -26,6 +26,7 @@ class PatchParts final : public Obstacles {
   explicit PatchParts(const PatchModel& model) : model_(model) {}
 
   std::vector<std::uint32_t> near(const TilePiece& piece) override {
+    largest_ = std::max(largest_, extent(box_of(piece)));
     std::vector<std::uint32_t> out;
     model_.visit_parts(box_of(piece), [&](std::uint32_t p) { out.push_back(p); });
     keep_close(piece, &out);
@@ -35,7 +36,7 @@ class PatchParts final : public Obstacles {
   PieceSide examine(const TilePiece& piece, std::span<const std::uint32_t>,
                     std::optional<ExactPoint>*) override {
     PieceSide out;
-    out.is_hopeless = extent(box_of(piece)) < kHopelessPart * model_.size();
+    out.is_hopeless = extent(box_of(piece)) < kHopelessPart * std::min(model_.size(), largest_);
     return out;
   }
 
@@ -49,6 +50,7 @@ class PatchParts final : public Obstacles {
   std::uint32_t halves_of(std::uint32_t number);
 
   const PatchModel& model_;
+  double largest_ = 0;             // of the pieces that were asked for first
   std::deque<PatchObstacle> own_;  // numbered after the model's parts; halves follow each other
   std::vector<std::pair<std::uint32_t, std::uint32_t>> halves_of_shared_;  // number, first half
   std::vector<std::uint32_t> halves_of_own_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/micro/filter/tile_filter.h: does the tile of a cell lie in a solid that a mesh, or a closed complex of
-// patches, bounds? FilterTilesToM of the microstructure paper, with proofs. Design: docs/design/0074-filtering-tiles.md and
-// docs/design/0078-tiles-in-solids-of-patches.md.
+// patches, bounds? FilterTilesToM of the microstructure paper, with proofs. Design: docs/design/0074-filtering-tiles.md
+// and docs/design/0078-tiles-in-solids-of-patches.md.
 #pragma once
 #include <array>
 #include <memory>
@@ -47,7 +47,7 @@ class TileFilter {
   static Result<TileFilter> make(TriangleMesh&&) = delete;
   /// REQUIRES a complex that bounds a solid (certified valid). It must outlive the filter. CellFinding::vertex is then
   /// a vertex of the complex.
-  /// @cost  as PatchClassifier::make; approximately 2 kilobytes a patch
+  /// @cost  as PatchClassifier::make; some 8 megabytes, or 2 kilobytes a patch if that is more
   static TileFilter make(const PatchComplex& complex);
   static TileFilter make(PatchComplex&&) = delete;
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "interval/box_geometry.h"
+#include "robust/base/box3d.h"
 #include "solids/classify/distance_net_internal.h"
 #include "splines/de_casteljau.h"
 

@@ -155,9 +155,9 @@ TEST(PatchProjectionLaw, NoPointOfThePatchesIsNearer) {
     std::vector<Vec3d> samples;
     for (const Patch& p : patches) {
       const RoundedPatch map(p);
-      for (int i = 0; i <= 8; ++i)
-        for (int j = 0; j <= 8; ++j)
-          if (!p.is_triangle() || i + j <= 8) samples.push_back(map.at(i / 8.0, j / 8.0));
+      for (int i = 0; i <= 24; ++i)
+        for (int j = 0; j <= 24; ++j)
+          if (!p.is_triangle() || i + j <= 24) samples.push_back(map.at(i / 24.0, j / 24.0));
     }
     for (int n = 0; n < scaled(25); ++n) {
       Random random(kFootSeed + static_cast<std::uint64_t>(n));

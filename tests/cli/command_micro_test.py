@@ -103,6 +103,28 @@ class MicroCommand(support.Folder):
     def in_cylinder(x, y, z):
         return (x - 4) ** 2 + (y - 4) ** 2 < 9 and 1 < z - Fraction(1, 10) < 7
 
+    def test_a_ball_with_a_neck_contradicts_no_status(self):
+        solid, listed = self.folder / "neck.vjson", self.folder / "cells.csv"
+        # Half as large, with the middle of the ball at (4, 4, 3).
+        middle, half = (4, 4, 3), Fraction(1, 2)
+        solid.write_text(cylinders.ball_with_neck(lambda p: tuple(m + half * x for m, x in zip(middle, p))))
+        self.assertEqual(support.only_file(solid)["verdict"], "VALID")
+        report = self.micro("--model", solid, "--list", listed, tile="jack,degree=1,node=1/5,cap=1/8", counts="11,11,11")
+        self.assertEqual((report["tiles"]["touching"], report["tiles"]["undecided"]), (0, 0))
+        self.assertGreater(report["tiles"]["kept"], 50)
+        for line in listed.read_text().splitlines()[1:]:
+            *cell, status = line.split(",")
+            inside = []
+            for p in jack_corners([int(i) for i in cell[1:]], Fraction(8, 11)):
+                x, y, z = (2 * (a - m) for a, m in zip(p, middle))
+                inside.append(x * x + y * y + z * z < 25 or (x * x + y * y < 9 and 0 < z < 8))
+            if status == "kept":
+                self.assertTrue(all(inside), line)
+            if status == "outside":
+                self.assertFalse(any(inside), line)
+            if any(inside) and not all(inside):
+                self.assertEqual(status, "crossing", line)
+
     def test_a_solid_of_volumes_is_its_border(self):
         solid = self.tree("cylinder", {"op": "place", "translate": [4, 4, "11/10"], "of": {"op": "cylinder", "radius": 3, "height": 6}})
         surface = self.folder / "surface.vjson"

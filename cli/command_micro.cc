@@ -7,6 +7,7 @@
 
 #include "cli/bridge_option.h"
 #include "cli/commands.h"
+#include "cli/micro_solid.h"
 #include "cli/output_plan.h"
 #include "cli/progress.h"
 #include "cli/tile_option.h"
@@ -21,7 +22,6 @@
 #include "robust/base/stopwatch.h"
 #include "solids/micro/bridge/build_bridges.h"
 #include "solids/micro/mesh/micro_mesh.h"
-#include "solids/micro/synthesis/cage_around.h"
 #include "solids/micro/synthesis/filter_tiles.h"
 #include "solids/micro/synthesis/material.h"
 #include "solids/micro/synthesis/wall_thickness.h"
@@ -193,42 +193,28 @@ class MicroRun {
   ExitCode read_solid() {
     if (!options_.model) return kExitValid;
     progress_.phase(*options_.model, "certifying the model");
-    Result<MeshFile> file = read_mesh_file(*options_.model, options_.reading);
-    if (!file) return refuse(file.error());
-    report_.model = MicroRunReport::File{*options_.model, file->sha256, file->report.bytes};
-    CertifyOptions certify;
-    certify.jobs = static_cast<unsigned>(options_.reading.jobs);
-    ModelFile model(std::move(*file));
-    const Result<Certified> certified = veritope::certify(model, certify);
-    if (!certified) return refuse(certified.error());
-    if (certified->verdict != Verdict::kValid)
-      return refute({"model",
-                     {},
-                     {},
-                     {},
-                     *options_.model + ": the model is " + verdict_name(certified->verdict) + ": " +
-                         text_of(certified->findings.front())});
-    solid_ = std::move(std::get<MeshFile>(model));
+    Result<std::unique_ptr<const MicroSolid>> solid =
+        MicroSolid::read(*options_.model, options_.reading);
+    if (!solid) return refuse(solid.error());
+    solid_ = std::move(*solid);
+    report_.model = MicroRunReport::File{*options_.model, solid_->sha256(), solid_->bytes()};
+    if (solid_->fault())
+      return refute({"model", {}, {}, {}, *options_.model + ": " + *solid_->fault()},
+                    solid_->is_undecided() ? kExitUndecided : kExitInvalid);
     return contain();
   }
   ExitCode contain() {
-    const Result<std::optional<CageEscape>> found = find_escape(*model_, solid_->mesh);
+    const Result<std::optional<MicroSolid::Escape>> found = solid_->escape_from(*model_);
     if (!found) return refuse(found.error());
     if (!found->has_value()) return kExitValid;
-    const CageEscape& escape = **found;
-    MicroRunReport::Defect defect{
-        "cage", {}, {}, {}, *options_.model + ": triangle " + std::to_string(escape.triangle)};
-    if (escape.vertex)
-      defect.message += " does not lie inside of the cage: vertex " +
-                        std::to_string(*escape.vertex) + " is on its border or outside";
-    else
-      defect.message += " is not proved to lie inside of the cage";
+    const MicroSolid::Escape& escape = **found;
+    MicroRunReport::Defect defect{"cage", {}, {}, {}, *options_.model + ": " + escape.message};
     if (escape.face) {
       defect.wall = v_face_name(*escape.face % 6);
       defect.message += "; it may meet the face " + *defect.wall + " of volume " +
                         std::to_string(*escape.face / 6);
     }
-    return refute(std::move(defect), escape.vertex ? kExitInvalid : kExitUndecided);
+    return refute(std::move(defect), escape.is_certain ? kExitInvalid : kExitUndecided);
   }
 
   ExitCode fill() {
@@ -278,7 +264,7 @@ class MicroRun {
     if (!solid_) return kExitValid;
     progress_.phase(*options_.model, "filtering tiles");
     Stopwatch watch;
-    const Result<TileFilter> filter = TileFilter::make(solid_->mesh);
+    const Result<TileFilter> filter = solid_->filter();
     if (!filter) return refuse(filter.error());
     Result<std::vector<GridStatus>> found =
         filter_tiles_to(*filter, static_cast<unsigned>(options_.reading.jobs), micro_);
@@ -459,7 +445,7 @@ class MicroRun {
   MicroRunReport report_;
   std::vector<ExactVolume> cage_;
   std::optional<VModel> model_;
-  std::optional<MeshFile> solid_;
+  std::unique_ptr<const MicroSolid> solid_;
   Microstructure micro_;
   std::vector<AnalysedTile> tiles_;
   std::vector<GridStatus> statuses_;
@@ -484,7 +470,7 @@ RunCommand declare_micro(OptionSet& set) {
       "--counts", "K,M,N",
       [o = o.get()](const std::string& text) { return take_counts(text, o->counts); },
       "cells along the three axes of each volume");
-  set.text("--model", o->model, "keep tiles in the interior of this solid only, a mesh");
+  set.text("--model", o->model, "keep tiles in the interior of this solid only");
   set.option(
       "--thickness", "EXPR",
       [o = o.get()](const std::string& text) { return take_thickness(text, *o); },

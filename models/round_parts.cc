@@ -41,6 +41,21 @@ Patches disc_cone(const Rational& height) {
   return out;
 }
 
+Patches ball_with_neck() {
+  const Rational five(5), quarter = Rational(1) / 4;
+  internal::PlaneCurve south = internal::quarter_circle(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    south.x[i] *= five;
+    south.y[i] *= five;
+  }
+  // (1 - t^2, 2 t) / (1 + t^2) for 0 <= t <= 1/2, five times as large: from (5, 0) to (3, 4).
+  const internal::PlaneCurve north{{5, 5, 15 * quarter}, {0, 10 * quarter, 5}, {1, 1, 5 * quarter}};
+  Patches out;
+  internal::add_revolved(out, {south, north, {{3, 3}, {4, 8}, {1, 1}}});
+  internal::add_end(out, {3, 8, {0, 0, 8}, true});
+  return out;
+}
+
 Patches patches_with_signs(const Patches& patches, const std::array<int, 3>& signs) {
   Patches out;
   for (const Patch& p : patches) {

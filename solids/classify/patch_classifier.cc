@@ -270,10 +270,10 @@ PatchClassifier PatchClassifier::make(const PatchComplex& complex, bool has_shel
   return PatchClassifier(std::make_unique<const Body>(complex, has_shells, has_shells, levels));
 }
 
-PatchClassifier PatchClassifier::of_valid_model(const PatchComplex& complex) {
+PatchClassifier PatchClassifier::of_valid_model(const PatchComplex& complex, int levels) {
   VT_CHECK(complex.is_closed_oriented_surface(), "points need a closed oriented surface");
   const ScopedDefaultFp nearest;
-  return PatchClassifier(std::make_unique<const Body>(complex, true, false, kLevels));
+  return PatchClassifier(std::make_unique<const Body>(complex, true, false, levels));
 }
 
 PointAnswer PatchClassifier::classify(const Vec3d& point, std::optional<OnPatch>* where,

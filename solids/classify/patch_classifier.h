@@ -39,8 +39,8 @@ class PatchClassifier {
   static PatchClassifier make(const PatchComplex& complex, bool has_shells, int levels = kLevels);
   static PatchClassifier make(PatchComplex&&, bool, int = 0) = delete;
   /// For a valid model whose shells do not matter.
-  static PatchClassifier of_valid_model(const PatchComplex& complex);
-  static PatchClassifier of_valid_model(PatchComplex&&) = delete;
+  static PatchClassifier of_valid_model(const PatchComplex& complex, int levels = kLevels);
+  static PatchClassifier of_valid_model(PatchComplex&&, int = 0) = delete;
   static constexpr int kLevels = 8;
 
   PatchClassifier(PatchClassifier&&) noexcept;

@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """veritope micro: microstructures that certify accepts, and refusals that leave nothing behind."""
+import itertools
 import json
 import unittest
+from fractions import Fraction
 
+import cylinders
 import schema
 import support
 from support import run
@@ -13,6 +16,17 @@ def cube(low, high):
     ends = (low, high)
     return "OFF\n8 6 0\n" + "".join(f"{x} {y} {z}\n" for z in ends for y in ends for x in ends) + (
         "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n")
+
+
+def jack_corners(cell, size):
+    """The corners of the node, and of the ends of the arms, of a jack with node 1/5 and caps 1/8 in a cube of cells."""
+    node, cap, half = Fraction(1, 5), Fraction(1, 8), Fraction(1, 2)
+    points = list(itertools.product((half - node, half + node), repeat=3))
+    for axis, end, a, b in itertools.product(range(3), (0, 1), (-cap, cap), (-cap, cap)):
+        p = [half + a, half + b]
+        p.insert(axis, end)
+        points.append(p)
+    return [[(i + x) * size for i, x in zip(cell, p)] for p in points]
 
 
 class MicroCommand(support.Folder):
@@ -67,6 +81,73 @@ class MicroCommand(support.Folder):
         for jobs in (1, 2):
             self.micro("--model", solid, "--jobs", jobs, counts="8,8,8")
             self.assertEqual(support.only_file(self.out)["sha256"], report["output"]["sha256"])
+
+    def test_a_solid_of_patches_keeps_the_tiles_whose_corners_it_contains(self):
+        # The cylinder of radius 3 around the line (4, y, 0) from z = 1 to z = 7, moved: a convex solid.
+        solid, listed = self.folder / "cylinder.vjson", self.folder / "cells.csv"
+        solid.write_text(cylinders.cylinder(4, 1, 7, radius=3, place=lambda p: (p[0], p[1] + 4, p[2] + Fraction(1, 10))))
+        report = self.micro("--model", solid, "--list", listed, tile="jack,degree=1,node=1/5,cap=1/8", counts="10,10,10")
+        self.assertEqual((report["tiles"]["touching"], report["tiles"]["undecided"]), (0, 0))
+        self.assertEqual(json.loads(self.out.read_text())["model"]["name"], "cylinder.vjson")
+        for line in listed.read_text().splitlines()[1:]:
+            *cell, status = line.split(",")
+            inside = [self.in_cylinder(*p) for p in jack_corners([int(i) for i in cell[1:]], Fraction(8, 10))]
+            self.assertEqual(all(inside), status == "kept", line)
+            if status == "outside":
+                self.assertFalse(any(inside), line)
+        for jobs in (1, 2):
+            self.micro("--model", solid, "--jobs", jobs, tile="jack,degree=1,node=1/5,cap=1/8", counts="10,10,10")
+            self.assertEqual(support.only_file(self.out)["sha256"], report["output"]["sha256"])
+
+    @staticmethod
+    def in_cylinder(x, y, z):
+        return (x - 4) ** 2 + (y - 4) ** 2 < 9 and 1 < z - Fraction(1, 10) < 7
+
+    def test_a_ball_with_a_neck_contradicts_no_status(self):
+        solid, listed = self.folder / "neck.vjson", self.folder / "cells.csv"
+        # Half as large, with the middle of the ball at (4, 4, 3).
+        middle, half = (4, 4, 3), Fraction(1, 2)
+        solid.write_text(cylinders.ball_with_neck(lambda p: tuple(m + half * x for m, x in zip(middle, p))))
+        self.assertEqual(support.only_file(solid)["verdict"], "VALID")
+        report = self.micro("--model", solid, "--list", listed, tile="jack,degree=1,node=1/5,cap=1/8", counts="11,11,11")
+        self.assertEqual((report["tiles"]["touching"], report["tiles"]["undecided"]), (0, 0))
+        self.assertGreater(report["tiles"]["kept"], 50)
+        for line in listed.read_text().splitlines()[1:]:
+            *cell, status = line.split(",")
+            inside = []
+            for p in jack_corners([int(i) for i in cell[1:]], Fraction(8, 11)):
+                x, y, z = (2 * (a - m) for a, m in zip(p, middle))
+                inside.append(x * x + y * y + z * z < 25 or (x * x + y * y < 9 and 0 < z < 8))
+            if status == "kept":
+                self.assertTrue(all(inside), line)
+            if status == "outside":
+                self.assertFalse(any(inside), line)
+            if any(inside) and not all(inside):
+                self.assertEqual(status, "crossing", line)
+
+    def test_a_solid_of_volumes_is_its_border(self):
+        solid = self.tree("cylinder", {"op": "place", "translate": [4, 4, "11/10"], "of": {"op": "cylinder", "radius": 3, "height": 6}})
+        surface = self.folder / "surface.vjson"
+        surface.write_text(cylinders.cylinder(4, 1, 7, radius=3, place=lambda p: (p[0], p[1] + 4, p[2] + Fraction(1, 10))))
+        tiles = [self.micro("--model", file, counts="8,8,8")["tiles"] for file in (solid, surface)]
+        self.assertEqual(tiles[0], tiles[1])
+
+    def test_solids_of_patches_that_are_open_or_not_in_the_cage_are_refused(self):
+        solid = self.folder / "cylinder.vjson"
+        text = json.loads(cylinders.cylinder(4, 1, 7, radius=3, place=lambda p: (p[0], p[1] + 4, p[2])))
+        solid.write_text(json.dumps({**text, "entities": text["entities"][1:]}))
+        self.assertEqual(self.micro("--model", solid, expect=1)["defects"][0]["code"], "model")
+        solid.write_text(cylinders.cylinder(4, 1, 9, radius=3, place=lambda p: (p[0], p[1] + 4, p[2])))
+        defect = self.micro("--model", solid, expect=1)["defects"][0]
+        self.assertEqual(defect["code"], "cage")
+        self.assertRegex(defect["message"], r"surface \d+.* does not lie inside of the cage: its point near \(\S+, \S+, \S+\) is on its border or outside")
+        # No solid is a microstructure, or a curve.
+        self.micro(counts="2,2,2")
+        other = self.folder / "solid.vmicro"
+        self.out.rename(other)
+        done = run("micro", "--cage", self.box, "--tile", "jack", "--counts", "2,2,2", "-o", self.out, "--model", other)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("a microstructure is no solid for --model", done.stderr)
 
     def test_only_the_largest_part_is_kept_if_it_is_asked_for(self):
         solid, listed = self.folder / "two.off", self.folder / "cells.csv"

@@ -24,3 +24,29 @@ def cylinder(x, low, high, arc=QUARTER, radius=1, top=None, turn=(1, 0), place=l
                 "rational": True, "components": 4, "points": [[str(k) for k in p] for p in points]}})
         c, s = a * c - b * s, b * c + a * s
     return json.dumps({"format": "veritope-spline-1", "groups": [], "entities": entities})
+
+
+def revolved(profiles, place=lambda p: p):
+    """Profiles, lists of (rho w, z w, w), each in four quarters around the z axis. They run counterclockwise, rho to the right."""
+    entities = []
+    for profile in profiles:
+        c, s = 1, 0
+        for _ in range(4):
+            circle = [(c * x - s * y, s * x + c * y, w) for x, y, w in QUARTER]
+            points = []
+            for x, y, w in circle:
+                for rho, z, v in profile:
+                    weight = Q(w * v)
+                    points.append((*(weight * k for k in place([rho * x / weight, rho * y / weight, z * w / weight])), weight))
+            knots = [["0"] * 3 + ["1"] * 3, ["0"] * len(profile) + ["1"] * len(profile)]
+            entities.append({"kind": "surface", "group": None, "attributes": [], "shape": {
+                "degrees": [2, len(profile) - 1], "periodic": [False, False], "knots": knots, "rational": True, "components": 4,
+                "points": [[str(k) for k in p] for p in points]}})
+            c, s = -s, c
+    return json.dumps({"format": "veritope-spline-1", "groups": [], "entities": entities})
+
+
+def ball_with_neck(place=lambda p: p):
+    """The ball of radius 5 around the origin and the cylinder of radius 3 around the z axis from 0 to 8, as one surface with poles at its ends."""
+    return revolved([[(0, -10, 2), (5, -5, 1), (5, 0, 1)], [(5, 0, 1), (5, Q(5, 2), 1), (Q(15, 4), 5, Q(5, 4))],
+                     [(3, 4, 1), (3, 8, 1)], [(3, 8, 1), (0, 8, 1)]], place)

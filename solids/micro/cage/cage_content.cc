@@ -8,10 +8,13 @@
 #include "robust/base/check.h"
 #include "solids/micro/cage/short_numbers_internal.h"
 #include "solids/volumes/half_angle.h"
+#include "splines/bezier_triangle_algebra.h"
 #include "splines/de_casteljau.h"
 
 namespace veritope {
 namespace {
+
+constexpr int kRoundsOfWholeTriangles = 2;
 
 // The content, point after point.
 class ContentBuilder {
@@ -44,9 +47,10 @@ void add_hull(const Map& map, bool is_rational, ContentBuilder& to) {
   to.end_part();
 }
 
-void add_sixteenths(const Patch::Tensor& map, ContentBuilder& to) {
+void add_cut(const Patch::Tensor& map, int rounds, ContentBuilder& to) {
   std::vector<Patch::Tensor> parts{map};
-  for (const std::size_t axis : {0, 1, 0, 1}) {
+  for (int i = 0; i < 2 * rounds; ++i) {
+    const std::size_t axis = i % 2 == 0 ? 0 : 1;
     std::vector<Patch::Tensor> halves;
     for (const Patch::Tensor& part : parts) {
       auto [first, second] = split(part, axis, Rational(1) / Rational(2));
@@ -73,15 +77,22 @@ CageContent content_of(const TriangleMesh& mesh) {
   return out.take();
 }
 
-CageContent content_of(std::span<const Patch> patches) {
+CageContent content_of(std::span<const Patch> patches, int rounds) {
   ContentBuilder out;
   for (const Patch& patch : patches) {
-    if (patch.is_triangle())
+    if (!patch.is_triangle())
+      add_cut(patch.tensor(), rounds, out);
+    else if (rounds <= kRoundsOfWholeTriangles)
       add_hull(patch, patch.is_rational(), out);
     else
-      add_sixteenths(patch.tensor(), out);
+      add_cut(as_tensor_product(patch.triangle()), rounds, out);
   }
   return out.take();
+}
+
+std::size_t num_content_parts(const Patch& patch, int rounds) {
+  if (patch.is_triangle() && rounds <= kRoundsOfWholeTriangles) return 1;
+  return std::size_t{1} << 2 * rounds;
 }
 
 CageBox box_of(const CageContent& content) {

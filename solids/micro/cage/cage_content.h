@@ -30,9 +30,12 @@ struct CageContent {
 
 /// The parts are the triangles.
 CageContent content_of(const TriangleMesh& mesh);
-/// The parts are sixteenths of tensor patches, and triangles as they are; the corners are their control points.
-/// REQUIRES positive weights.
-CageContent content_of(std::span<const Patch> patches);
+/// Tensor patches are cut into 2^rounds by 2^rounds parts; triangles stay as they are for rounds <= 2, and are cut as
+/// tensor patches with a collapsed side for more. The corners are the control points.
+/// REQUIRES positive weights, 0 <= rounds < 16.
+CageContent content_of(std::span<const Patch> patches, int rounds = 2);
+/// How many parts a patch has there.
+std::size_t num_content_parts(const Patch& patch, int rounds = 2);
 
 /// A box with sides along the axes.
 struct CageBox {

@@ -208,7 +208,7 @@ std::optional<ExactPoint> common_point(const ExactControl& flat, const FacetCorn
 }
 
 // A point of all open half-spaces, such that the facets not in `touching` miss the hull of it and the piece.
-std::optional<ExactPoint> point_beside(const TileFilter::Model& model, const TilePiece& piece,
+std::optional<ExactPoint> point_beside(const MeshModel& model, const TilePiece& piece,
                                        const ExactControl& control,
                                        const std::vector<ExactHalfSpace>& half_spaces,
                                        std::span<const std::uint32_t> touching) {
@@ -300,9 +300,8 @@ std::optional<ExactControl> ExactPatches::control(const TilePiece& piece) {
   return out;
 }
 
-PieceSide exact_side(const TileFilter::Model& model, const TilePiece& piece,
-                     const ExactControl& control, std::span<const std::uint32_t> facets,
-                     std::optional<ExactPoint>* contact) {
+PieceSide exact_side(const MeshModel& model, const TilePiece& piece, const ExactControl& control,
+                     std::span<const std::uint32_t> facets, std::optional<ExactPoint>* contact) {
   PieceSide out;
   std::vector<std::uint32_t> touching;
   for (const bool prefers_reversed : {false, true}) {

@@ -7,19 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "solids/micro/filter/filter_model_internal.h"
+#include "solids/micro/filter/mesh_model_internal.h"
 #include "solids/micro/filter/tile_pieces_internal.h"
 
 namespace veritope::internal {
-
-/// What is known of a piece of the tile's surface. Both may hold of a piece that lies in the plane of a facet.
-struct PieceSide {
-  bool is_decided = false;
-  bool is_apart = false;  ///< from the surface of M
-  bool is_near_inside =
-      false;  ///< every point of the piece is a limit of points in the interior of M
-  bool is_near_outside = false;  ///< every point of the piece is a limit of points off M
-};
 
 /// Points whose hull contains a piece, and what else is exact about it.
 struct ExactControl {
@@ -63,8 +54,7 @@ class ExactPatches {
 /// the hull of the piece and z. Then a segment from a point of the piece to z, without its begin, misses the surface of
 /// M, and so every point of the piece is a limit of points that lie on z's side.
 /// @cost rationals: for few pieces
-PieceSide exact_side(const TileFilter::Model& model, const TilePiece& piece,
-                     const ExactControl& control, std::span<const std::uint32_t> facets,
-                     std::optional<ExactPoint>* contact);
+PieceSide exact_side(const MeshModel& model, const TilePiece& piece, const ExactControl& control,
+                     std::span<const std::uint32_t> facets, std::optional<ExactPoint>* contact);
 
 }  // namespace veritope::internal

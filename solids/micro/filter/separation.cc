@@ -24,8 +24,7 @@ double approx_dot(const Point3d& a, const Point3d& b) {
 GrownHull::GrownHull(const TilePiece& piece) {
   points_.assign(piece.corners.begin(), piece.corners.end());
   for (const Box3& p : points_) approx_.push_back(approx_middle(p));
-  for (std::size_t c = 0; c < 3; ++c)
-    excess_[c] = (Interval(piece.bend[0][c]) + Interval(piece.bend[1][c])).hi();
+  excess_ = excess_of(piece);
   box_ = box_of(piece);
   edges_ = {approx_difference(approx_[1], approx_[0]), approx_difference(approx_[3], approx_[2]),
             approx_difference(approx_[2], approx_[0]), approx_difference(approx_[3], approx_[1]),

@@ -5,7 +5,8 @@
 
 #include "interval/upward.h"
 #include "robust/base/check.h"
-#include "solids/micro/filter/filter_model_internal.h"
+#include "solids/micro/filter/mesh_model_internal.h"
+#include "solids/micro/filter/patch_model_internal.h"
 #include "solids/micro/filter/tile_walk_internal.h"
 #include "splines/bezier_domain.h"
 
@@ -32,7 +33,12 @@ TileFilter::~TileFilter() = default;
 Result<TileFilter> TileFilter::make(const TriangleMesh& mesh) {
   Result<MeshClassifier> classifier = MeshClassifier::make(mesh);
   if (!classifier) return classifier.error();
-  return TileFilter(std::make_unique<const Model>(mesh, std::move(classifier.value())));
+  return TileFilter(
+      std::make_unique<const internal::MeshModel>(mesh, std::move(classifier.value())));
+}
+
+TileFilter TileFilter::make(const PatchComplex& complex) {
+  return TileFilter(std::make_unique<const internal::PatchModel>(complex));
 }
 
 CellFinding TileFilter::find(const CellMap& cell, const TileShape& tile,

@@ -121,6 +121,13 @@ std::pair<TilePiece, TilePiece> TilePieces::halves(const TilePiece& piece,
   return out;
 }
 
+Point3d excess_of(const TilePiece& piece) {
+  Point3d out;
+  for (std::size_t c = 0; c < 3; ++c)
+    out[c] = (Interval(piece.bend[0][c]) + Interval(piece.bend[1][c])).hi();
+  return out;
+}
+
 Box3d box_of(const TilePiece& piece) {
   Box3d out = outer_box(piece.corners[0]);
   for (std::size_t i = 1; i < 4; ++i) out = hull(out, outer_box(piece.corners[i]));

@@ -60,6 +60,8 @@ class TilePieces {
   std::vector<std::array<Point3d, 2>> bend_;
 };
 
+/// The hull of the corners, grown by this much in each coordinate, contains the piece.
+Point3d excess_of(const TilePiece& piece);
 /// A box around the piece.
 Box3d box_of(const TilePiece& piece);
 

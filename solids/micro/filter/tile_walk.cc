@@ -16,6 +16,7 @@ namespace {
 // early; after that depth first, because a shallow crossing shows itself only to small parts.
 constexpr int kBreadthFirstDepth = 6;
 constexpr int kMaxShellVertices = 64;
+constexpr int kPiecesWithoutHope = 500;
 
 }  // namespace
 
@@ -30,7 +31,11 @@ Value3 TileWalk::note(const TilePiece& piece, std::size_t corner) {
 
 // Notes where a point lies, in rationals. REQUIRES a point off the surface of M.
 void TileWalk::note_exactly(const TilePatchPoint& at) {
-  const PointAnswer answer = model_.classifier().classify(cell_.image(tile(), at));
+  const PointAnswer answer = model_.classify(cell_.image(tile(), at));
+  if (!answer.is_decided) {
+    has_unsettled_ = true;
+    return;
+  }
   VT_CHECK(!answer.is_on(), "a point of a part that misses the surface lies on it");
   auto& witness = answer.winding != 0 ? inside_ : off_;
   if (!witness) witness = at;
@@ -54,21 +59,14 @@ void TileWalk::note_corners() {
   }
 }
 
-// Removes the facets that are apart from the piece.
-void TileWalk::keep_close(OpenPiece* open) const {
-  const GrownHull hull(open->piece);
-  std::erase_if(open->facets, [&](std::uint32_t f) { return hull.is_apart(model_.corners(f)); });
-}
-
 void TileWalk::open_patches() {
   const auto n = static_cast<std::uint32_t>(tile().patches().size());
   is_patch_apart_.assign(n, 0);
   for (std::uint32_t i = 0; i < n; ++i) {
     OpenPiece open{pieces_.root(i), {}};
-    model_.visit_facets(box_of(open.piece), [&](std::uint32_t f) { open.facets.push_back(f); });
-    keep_close(&open);
+    open.near = obstacles_->near(open.piece);
     ++num_pieces_;
-    if (open.facets.empty()) {
+    if (open.near.empty()) {
       is_patch_apart_[i] = 1;
     } else {
       open_.push_back(std::move(open));
@@ -76,44 +74,19 @@ void TileWalk::open_patches() {
   }
 }
 
-// Whether no facet enters the hull of the piece's corners, and one nearly touches it, so that rationals may show more.
-// Approximate.
-bool TileWalk::looks_like_contact(const OpenPiece& open) const {
-  const Box3d box = box_of(open.piece);
-  double size = 0, scale = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    size += box.hi[c] - box.lo[c];
-    scale += std::abs(box.hi[c]) + std::abs(box.lo[c]);
-  }
-  const GrownHull hull(open.piece);
-  const double tolerance = 0x1p-20 * size + 0x1p-46 * scale;
-  bool is_near = false;
-  for (const std::uint32_t f : open.facets) {
-    const FacetCorners& facet = model_.corners(f);
-    if (!hull.may_have_gap(facet, -tolerance)) return false;
-    is_near = is_near || !hull.may_have_gap(facet, tolerance);
-  }
-  return is_near;
-}
-
 // Whether nothing is left to be asked about the piece.
 bool TileWalk::settle(OpenPiece* open) {
-  if (open->facets.empty()) {
+  if (open->near.empty()) {
     apart_.push_back(open->piece);
     return true;
   }
-  if (num_exact_ >= limits_.max_exact_points || !looks_like_contact(*open)) return false;
-  PieceSide side;
-  const auto examine = [&](const std::optional<ExactControl>& control) {
-    if (!control) return;
-    num_exact_ += static_cast<int>(control->points.size());
-    side = exact_side(model_, open->piece, *control, open->facets, &contact_);
-  };
-  examine(exact_.around(open->piece));
-  const auto num_points = exact_.num_points(open->piece.patch);
-  if (!side.is_decided && num_points + static_cast<std::size_t>(num_exact_) <=
-                              static_cast<std::size_t>(limits_.max_exact_points))
-    examine(exact_.control(open->piece));
+  const PieceSide side = obstacles_->examine(open->piece, open->near, &contact_);
+  if (side.is_hopeless) {
+    // What remains to be found is a crossing somewhere else.
+    has_unsettled_ = true;
+    most_pieces_ = std::min(most_pieces_, num_pieces_ + kPiecesWithoutHope);
+    return true;
+  }
   if (!side.is_decided) return false;
   if (side.is_apart) {
     apart_.push_back(open->piece);
@@ -131,8 +104,8 @@ void TileWalk::halve(const OpenPiece& open, std::vector<OpenPiece>* out) {
   const std::size_t bit = std::size_t{1} << axis, other = 3 - bit;
   for (const std::size_t corner : {bit, bit | other}) note(parts.first, corner);
   for (TilePiece* part : {&parts.first, &parts.second}) {
-    out->push_back({std::move(*part), open.facets});
-    keep_close(&out->back());
+    out->push_back({std::move(*part), open.near});
+    obstacles_->keep_close(out->back().piece, &out->back().near);
     ++num_pieces_;
   }
 }
@@ -142,7 +115,7 @@ void TileWalk::visit_breadth_first() {
     std::vector<OpenPiece> next;
     for (OpenPiece& open : open_) {
       if (settle(&open)) continue;
-      if (num_pieces_ >= limits_.max_pieces) {
+      if (num_pieces_ >= most_pieces_) {
         has_unsettled_ = true;
         continue;
       }
@@ -158,7 +131,7 @@ void TileWalk::visit_depth_first() {
   std::vector<OpenPiece> roots = std::move(open_);
   open_.clear();
   for (std::size_t i = 0; i < roots.size() && !is_crossing(); ++i) {
-    const int left = limits_.max_pieces - num_pieces_;
+    const int left = std::max(most_pieces_ - num_pieces_, 0);
     const int last = num_pieces_ + left / static_cast<int>(roots.size() - i);
     std::vector<OpenPiece> stack;
     stack.push_back(std::move(roots[i]));
@@ -167,9 +140,9 @@ void TileWalk::visit_depth_first() {
       stack.pop_back();
       if (settle(&open)) continue;
       if (!open.piece.can_halve() || open.piece.depth() >= limits_.max_depth ||
-          num_pieces_ >= last) {
+          num_pieces_ >= std::min(last, most_pieces_)) {
         has_unsettled_ = true;
-        if (num_pieces_ >= last) break;
+        if (num_pieces_ >= std::min(last, most_pieces_)) break;
         continue;
       }
       halve(open, &stack);
@@ -192,18 +165,17 @@ std::optional<CellFinding> TileWalk::find_shells_inside() {
   for (std::uint32_t i = 0; i < tile().patches().size(); ++i)
     box = hull(box, box_of(pieces_.root(i)));
   std::optional<CellFinding> out;
-  model_.visit_shells(box, [&](std::uint32_t shell) {
+  model_.shells().visit(box, [&](std::uint32_t shell) {
     if (out && out->status == CellStatus::kCrossing) return;
-    const auto vertices = model_.shell_vertices(shell);
+    const auto vertices = model_.shells().of(shell);
     // A shell that does not meet the tile's surface lies on one side of it: any vertex tells.
     const std::size_t step =
         is_touching_ ? std::max<std::size_t>(1, vertices.size() / kMaxShellVertices) : 1;
     int num_tried = 0;
     for (std::size_t i = 0; i < vertices.size() && num_tried < kMaxShellVertices; i += step) {
       ++num_tried;
-      const Vec3d& p = model_.position(vertices[i]);
-      const std::optional<bool> is_in =
-          meets({to_point(p), to_point(p)}, box) ? is_in_tile(pieces_, p) : false;
+      const Box3 p = model_.vertex(vertices[i]);
+      const std::optional<bool> is_in = meets(outer_box(p), box) ? is_in_tile(pieces_, p) : false;
       if (!is_in) continue;
       if (!*is_in) return;
       out = found(CellStatus::kCrossing);
@@ -233,6 +205,7 @@ CellFinding TileWalk::finish() {
     if (!is_known) note_exactly({piece.patch, piece.parameter(0, 0), piece.parameter(1, 0)});
   }
   if (is_crossing()) return found(CellStatus::kCrossing);
+  if (has_unsettled_) return found(CellStatus::kUndecided);
   // Either every point of the tile's surface is in M, or none is in its interior.
   const bool is_inside = is_near_inside_ && !off_;
   if (!is_inside && !(is_near_outside_ && !inside_)) return found(CellStatus::kUndecided);

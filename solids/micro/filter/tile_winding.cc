@@ -29,10 +29,8 @@ struct SeenPoint {
 
 class RayCount {
  public:
-  RayCount(const TilePieces& pieces, const Vec3d& point, const SlantedRay& ray)
-      : pieces_(pieces),
-        origin_(Interval(point.x), Interval(point.y), Interval(point.z)),
-        ray_(ray) {}
+  RayCount(const TilePieces& pieces, const Box3& point, const SlantedRay& ray)
+      : pieces_(pieces), origin_(point), ray_(ray) {}
 
   // The winding number of the surface around the point, up to its sign.
   std::optional<int> count() {
@@ -120,7 +118,7 @@ class RayCount {
 
 }  // namespace
 
-std::optional<bool> is_in_tile(const TilePieces& pieces, const Vec3d& point) {
+std::optional<bool> is_in_tile(const TilePieces& pieces, const Box3& point) {
   for (const SlantedRay& ray : kSlantedRays)
     if (const std::optional<int> w = RayCount(pieces, point, ray).count()) return *w != 0;
   return std::nullopt;

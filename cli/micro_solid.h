@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/micro_solid.h: the solid M of veritope micro, whatever its file holds.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "io/model_file.h"
+#include "robust/base/result.h"
+#include "solids/base/verdict.h"
+#include "solids/micro/filter/tile_filter.h"
+#include "solids/vmodel/v_model.h"
+#include "verify/certify/file_patches.h"
+
+namespace veritope::cli {
+
+/// A mesh, or surfaces and triangles as one complex, or the boundary faces of volumes. Stays where it is in memory:
+/// filters refer to it.
+class MicroSolid {
+ public:
+  /// Reads the file and decides whether it bounds a solid.
+  /// @error  as read_model_file and certify, with the file
+  static Result<std::unique_ptr<const MicroSolid>> read(const std::string& path,
+                                                        const ModelReadOptions& reading);
+
+  const std::string& sha256() const { return sha256_of(file_); }
+  std::uint64_t bytes() const { return num_bytes(file_); }
+  /// Nothing if the solid is VALID; else why not.
+  const std::optional<std::string>& fault() const { return fault_; }
+  /// Whether the fault is that something was not decided, and not a defect of the solid.
+  bool is_undecided() const { return is_open_; }
+
+  /// REQUIRES !fault().
+  Result<TileFilter> filter() const;
+
+  struct Escape {
+    std::string message;              ///< "triangle 5 does not lie inside of the cage: ..."
+    bool is_certain = false;          ///< else it is not proved inside
+    std::optional<VFaceNumber> face;  ///< of the cage's border, near it
+  };
+  /// Nothing only if the cage is proved to contain the solid's surface. REQUIRES !fault(), a valid cage.
+  /// @error as find_escape
+  Result<std::optional<Escape>> escape_from(const VModel& cage) const;
+
+ private:
+  explicit MicroSolid(ModelFile file) : file_(std::move(file)) {}
+  Status decide(unsigned jobs);
+
+  ModelFile file_;
+  FilePatches patches_;  // of a file of splines
+  std::optional<std::string> fault_;
+  bool is_open_ = false;
+};
+
+}  // namespace veritope::cli

@@ -197,6 +197,11 @@ class MicroRun {
         MicroSolid::read(*options_.model, options_.reading);
     if (!solid) return refuse(solid.error());
     solid_ = std::move(*solid);
+    const BridgeChoice& bridge = options_.bridge;
+    if (solid_->mesh() == nullptr &&
+        ((bridge.is_given && bridge.is_wanted) || bridge.has_alpha || options_.skin))
+      return fail(bad_argument("--bridge, --alpha and --skin: bridges lead to meshes only, and " +
+                               harmless(*options_.model) + " is none"));
     report_.model = MicroRunReport::File{*options_.model, solid_->sha256(), solid_->bytes()};
     if (solid_->fault())
       return refute({"model", {}, {}, {}, *options_.model + ": " + *solid_->fault()},
@@ -284,14 +289,15 @@ class MicroRun {
   }
 
   ExitCode build() {
-    if (!solid_ || !options_.bridge.is_wanted) return kExitValid;
+    const TriangleMesh* const mesh = solid_ ? solid_->mesh() : nullptr;
+    if (mesh == nullptr || !options_.bridge.is_wanted) return kExitValid;
     progress_.phase(*options_.model, "building bridges");
     Stopwatch watch;
     BridgeOptions how;
     how.alpha = options_.bridge.alpha;
-    how.skin = options_.skin ? *options_.skin : default_skin(solid_->mesh);
+    how.skin = options_.skin ? *options_.skin : default_skin(*mesh);
     how.jobs = static_cast<unsigned>(options_.reading.jobs);
-    Result<BridgeReport> built = build_bridges(solid_->mesh, *model_, tiles_, how, micro_);
+    Result<BridgeReport> built = build_bridges(*mesh, *model_, tiles_, how, micro_);
     if (!built) return refuse(built.error());
     report_.bridges = std::move(*built);
     report_.seconds.bridge = watch.lap();

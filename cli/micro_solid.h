@@ -26,6 +26,11 @@ class MicroSolid {
 
   const std::string& sha256() const { return sha256_of(file_); }
   std::uint64_t bytes() const { return num_bytes(file_); }
+  /// Null unless the file is a mesh.
+  const TriangleMesh* mesh() const {
+    const auto* const file = std::get_if<MeshFile>(&file_);
+    return file == nullptr ? nullptr : &file->mesh;
+  }
   /// Nothing if the solid is VALID; else why not.
   const std::optional<std::string>& fault() const { return fault_; }
   /// Whether the fault is that something was not decided, and not a defect of the solid.

@@ -18,6 +18,8 @@
 #include "report/report_text.h"
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
+#include "solids/micro/measure/cage_scale.h"
+#include "solids/micro/measure/micro_volume.h"
 #include "solids/micro/mesh/micro_mesh.h"
 #include "solids/micro/synthesis/cage_around.h"
 #include "solids/micro/synthesis/filter_tiles.h"
@@ -76,9 +78,9 @@ class MicroRun {
 
   ExitCode run() {
     if (const Status status = check_outputs(); !status) return fail(status.error());
-    for (const auto step :
-         {&MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill, &MicroRun::analyse,
-          &MicroRun::filter, &MicroRun::connect, &MicroRun::find_topology, &MicroRun::make_mesh})
+    for (const auto step : {&MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill,
+                            &MicroRun::analyse, &MicroRun::filter, &MicroRun::connect,
+                            &MicroRun::find_topology, &MicroRun::measure, &MicroRun::make_mesh})
       if (const ExitCode exit = (this->*step)(); exit != kExitValid) return conclude(exit);
     return conclude(write());
   }
@@ -304,6 +306,21 @@ class MicroRun {
     }
     return refute(std::move(defect));
   }
+
+  // Numbers beyond binary64 leave no bounds, and are no reason to write nothing.
+  ExitCode measure() {
+    if (report_.kept == 0) return kExitValid;
+    progress_.phase(*options_.output, "measuring");
+    Stopwatch watch;
+    if (const auto v = volume_of(micro_, *model_, static_cast<unsigned>(options_.reading.jobs))) {
+      report_.volume = bounds_of(v->tiles);
+      report_.density = bounds_of(v->density);
+    }
+    if (const auto s = scale_of(micro_, *model_)) report_.scale = {s->lo, s->hi};
+    report_.seconds.measure = watch.lap();
+    return kExitValid;
+  }
+  static MicroRunReport::Bounds bounds_of(const Interval& x) { return {x.lo(), x.hi()}; }
 
   // The mesh as its file will be read, if that bounds a solid with the numbers of the microstructure.
   ExitCode make_mesh() {

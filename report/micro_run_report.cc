@@ -23,6 +23,11 @@ Json mesh_of_run_json(const std::optional<MicroRunReport::Mesh>& mesh) {
           {"distance", mesh->distance}};
 }
 
+Json bounds_json(const std::optional<MicroRunReport::Bounds>& b) {
+  if (!b) return nullptr;
+  return {{"lo", b->lo}, {"hi", b->hi}};
+}
+
 Json defect_in_run_json(const MicroRunReport::Defect& d) {
   Json cell = nullptr;
   if (d.cell)
@@ -34,6 +39,8 @@ Json defect_in_run_json(const MicroRunReport::Defect& d) {
           {"wall", optional_json(d.wall)},
           {"message", d.message}};
 }
+
+double middle_of(const MicroRunReport::Bounds& b) { return b.lo + (b.hi - b.lo) / 2; }
 
 }  // namespace
 
@@ -56,11 +63,15 @@ std::string micro_run_json(const MicroRunReport& r) {
   out["glued_caps"] = counted_in(&MicroCounts::glued_caps);
   out["genus"] = counted_in(&MicroCounts::genus);
   out["shells"] = counted_in(&MicroCounts::shells);
+  out["volume"] = bounds_json(r.volume);
+  out["density"] = bounds_json(r.density);
+  out["scale"] = bounds_json(r.scale);
   out["mesh"] = mesh_of_run_json(r.mesh);
   out["defects"] = std::move(defects);
   out["seconds"] = {{"cage", seconds_json(r.seconds.cage)},
                     {"filter", seconds_json(r.seconds.filter)},
                     {"topology", seconds_json(r.seconds.topology)},
+                    {"measure", seconds_json(r.seconds.measure)},
                     {"mesh", seconds_json(r.seconds.mesh)}};
   return dump(out) + "\n";
 }
@@ -75,6 +86,10 @@ std::string micro_run_text(const MicroRunReport& r) {
     text += "wrote  " + unbroken(harmless(r.mesh->file.path)) + "  " +
             counted(r.mesh->facets, "facet", "facets") + ", a solid, within " +
             short_decimal(r.mesh->distance) + " of it\n";
+  if (r.volume && r.density)
+    text +=
+        detail_line("volume", short_decimal(middle_of(*r.volume)) + ", " +
+                                  short_decimal(100 * middle_of(*r.density)) + " % of the cells");
   if (r.floating != 0)
     text += detail_line("floating", counted(r.floating, "tile", "tiles") + " off the largest part");
   if (!r.model) return text;

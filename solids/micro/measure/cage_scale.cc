@@ -21,6 +21,8 @@ namespace {
 using internal::CellSpan;
 
 constexpr std::size_t kMostBoxes = std::size_t{1} << 14;
+// An error of the determinant beside which 1 % is large.
+constexpr double kSmallError = 0x1p-10;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 using Cells = std::array<std::array<std::size_t, 2>, 3>;
@@ -94,7 +96,7 @@ class ScaleSearch {
   ScaleBox box_of(std::size_t number, int sign) const {
     const auto& [g, span] = spans_[number];
     const VVolume& volume = micro_.cage[micro_.grids[g].volume];
-    const internal::SpanDeterminant d = internal::span_determinant(volume, span);
+    const internal::SpanDeterminant d = internal::span_determinant(volume, span, kSmallError);
     if (cage_.hand(micro_.grids[g].volume) == Sign::kNegative) sign = -sign;
     ScaleBox out;
     out.span = number;

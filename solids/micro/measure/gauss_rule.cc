@@ -82,6 +82,7 @@ GaussRule make_rule(std::size_t n) {
 
 // The recurrence widens intervals by a factor of 2.5 with each step.
 constexpr std::size_t kMostByRecurrence = 8;
+constexpr std::size_t kMostLegendre = 255;
 
 // C(2j, j) / 4^j.
 std::vector<Interval> cosine_weights(std::size_t size) {
@@ -98,7 +99,8 @@ void values_by_cosines(const Interval& x, std::span<Interval> out) {
   std::vector<Interval> t = {Interval(1.0), x};
   for (std::size_t m = 2; m < out.size(); ++m)
     t.push_back(m % 2 == 0 ? two * sqr(t[m / 2]) - t[0] : two * t[m / 2] * t[m / 2 + 1] - x);
-  const std::vector<Interval> a = cosine_weights(out.size());
+  static const std::vector<Interval> a = cosine_weights(kMostLegendre + 1);
+  VT_CHECK(out.size() <= a.size(), "the degree of a Legendre polynomial");
   for (std::size_t k = 0; k < out.size(); ++k) {
     out[k] = k % 2 == 0 ? sqr(a[k / 2]) : Interval();
     for (std::size_t j = 0; 2 * j < k; ++j) out[k] += two * a[j] * a[k - j] * t[k - 2 * j];

@@ -24,8 +24,7 @@ const GaussRule& gauss_rule(std::size_t n);
 inline const GaussRule& gauss_rule_for(std::size_t degree) { return gauss_rule(degree / 2 + 1); }
 
 /// P_0(x), P_1(x), ... for each member of x in [-1, 1]. Widths are at most approximately 1000 + k^2 times that of x and
-/// of one rounding.
-/// REQUIRES a live ScopedUpward.
+/// of one rounding. REQUIRES at most 256 values, and a live ScopedUpward.
 void legendre_values(const Interval& x, std::span<Interval> out);
 
 }  // namespace veritope::internal

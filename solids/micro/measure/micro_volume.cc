@@ -42,7 +42,7 @@ class SpanVolume {
   Volumes run(unsigned jobs) const {
     const ScopedUpward upward;
     const VVolume& volume = micro_.cage[grid_.volume];
-    const SpanDeterminant determinant = internal::span_determinant(volume, span_);
+    const SpanDeterminant determinant = internal::span_determinant(volume, span_, kSmallRest);
     std::array<std::vector<Rational>, 3> breaks;
     for (std::size_t a = 0; a < 3; ++a)
       breaks[a] = internal::breaks_in_span(volume, grid_, span_, a);

@@ -19,10 +19,9 @@ namespace {
 using Volume = BezierVolume<Interval>;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-// Degrees of the interpolation along an axis on which the weight depends; and which error beside the determinant is
-// small enough.
-constexpr int kDegrees[] = {8, 12, 16, 20, 24};
-constexpr double kSmallError = 0x1p-36;
+// Degrees of the interpolation along an axis on which the weight depends. Beyond them Bernstein coefficients of
+// oscillating polynomials are too large.
+constexpr int kDegrees[] = {8, 12, 18, 24};
 
 // The map in homogeneous coordinates; the weight, if there is one, with degree 0 along the axes on which it does not
 // depend.
@@ -164,7 +163,7 @@ Volume interpolated(const Volume& above, const Volume& weight, const std::array<
   return out;
 }
 
-SpanDeterminant quotient_of(const Volume& above, const EnclosedPiece& piece) {
+SpanDeterminant quotient_of(const Volume& above, const EnclosedPiece& piece, double enough) {
   double least = kInfinite;
   for (const Interval& w : piece.weight.component(0)) least = std::min(least, w.lo());
   SpanDeterminant best{Volume({0, 0, 0}, 1, false), kInfinite};
@@ -177,7 +176,7 @@ SpanDeterminant quotient_of(const Volume& above, const EnclosedPiece& piece) {
     const double gap = greatest_value(difference(above, multiplied(below, next.polynomial)));
     next.error = (Interval(gap) / sqr(sqr(Interval(least)))).hi();
     if (next.error < best.error) best = std::move(next);
-    if (best.error <= kSmallError * greatest_coefficient(best.polynomial)) break;
+    if (best.error <= enough * greatest_coefficient(best.polynomial)) break;
   }
   return best;
 }
@@ -225,10 +224,10 @@ double greatest_coefficient(const BezierVolume<Interval>& f) {
   return most;
 }
 
-SpanDeterminant span_determinant(const VVolume& volume, const CellSpan& span) {
+SpanDeterminant span_determinant(const VVolume& volume, const CellSpan& span, double enough) {
   const EnclosedPiece piece = enclosed_piece(volume, span);
   if (std::count(piece.depends.begin(), piece.depends.end(), true) > 0)
-    return quotient_of(homogeneous_determinant(piece), piece);
+    return quotient_of(homogeneous_determinant(piece), piece, enough);
   // One weight for all control points: the map is polynomial.
   const Volume& f = piece.points;
   SpanDeterminant out{determinant(derivative(f, 0), derivative(f, 1), derivative(f, 2)), 0};

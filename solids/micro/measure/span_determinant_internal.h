@@ -32,10 +32,11 @@ struct SpanDeterminant {
   double error = 0;  ///< infinite if a weight is not proved positive
 };
 
+/// The error is at most `enough` times the greatest coefficient, if the degrees allow that.
 /// REQUIRES a map to space, polynomial or rational, and a live ScopedUpward.
 /// @cost  for polynomial maps of degree p approximately (p + 1)^6 products; rational ones are interpolated in degrees
 ///        up to 24 along the axes on which their weights depend, with (degree + 1)^3 (4p)^3 products for the error
-SpanDeterminant span_determinant(const VVolume& volume, const CellSpan& span);
+SpanDeterminant span_determinant(const VVolume& volume, const CellSpan& span, double enough);
 
 /// max |f| of the Bernstein coefficients, an upper bound for the polynomial.
 double greatest_coefficient(const BezierVolume<Interval>& f);

@@ -94,13 +94,14 @@ class PatchIntegral {
       primitive_[i] = i == 0 ? Interval(0.5) * legendre_[0][1]
                              : (legendre_[0][i + 1] - legendre_[0][i - 1]) /
                                    Interval(static_cast<double>(4 * i + 2));
-    std::size_t to = 0;
-    for (std::size_t s = 0; s <= order_; ++s)
-      for (std::size_t i = 0; i <= s; ++i) {
-        const Interval f = factor * primitive_[i];
-        for (std::size_t j = 0; i + j <= s; ++j, ++to)
-          sums[to] += f * legendre_[1][j] * legendre_[2][s - i - j];
+    for (std::size_t i = 0; i <= order_; ++i) {
+      const Interval f = factor * primitive_[i];
+      for (std::size_t j = 0; i + j <= order_; ++j) {
+        const Interval g = f * legendre_[1][j];
+        for (std::size_t k = 0; i + j + k <= order_; ++k)
+          sums[moment_number(i, j, k)] += g * legendre_[2][k];
       }
+    }
   }
 
   std::size_t order_;

@@ -23,6 +23,11 @@ Json mesh_of_run_json(const std::optional<MicroRunReport::Mesh>& mesh) {
           {"distance", mesh->distance}};
 }
 
+Json composed_json(const std::optional<MicroRunReport::Composed>& composed) {
+  if (!composed) return nullptr;
+  return {{"file", file_json(composed->file)}, {"patches", composed->patches}};
+}
+
 Json bounds_json(const std::optional<MicroRunReport::Bounds>& b) {
   if (!b) return nullptr;
   return {{"lo", b->lo}, {"hi", b->hi}};
@@ -67,12 +72,12 @@ std::string micro_run_json(const MicroRunReport& r) {
   out["density"] = bounds_json(r.density);
   out["scale"] = bounds_json(r.scale);
   out["mesh"] = mesh_of_run_json(r.mesh);
+  out["composed"] = composed_json(r.composed);
   out["defects"] = std::move(defects);
-  out["seconds"] = {{"cage", seconds_json(r.seconds.cage)},
-                    {"filter", seconds_json(r.seconds.filter)},
-                    {"topology", seconds_json(r.seconds.topology)},
-                    {"measure", seconds_json(r.seconds.measure)},
-                    {"mesh", seconds_json(r.seconds.mesh)}};
+  out["seconds"] = {
+      {"cage", seconds_json(r.seconds.cage)},         {"filter", seconds_json(r.seconds.filter)},
+      {"topology", seconds_json(r.seconds.topology)}, {"measure", seconds_json(r.seconds.measure)},
+      {"mesh", seconds_json(r.seconds.mesh)},         {"compose", seconds_json(r.seconds.compose)}};
   return dump(out) + "\n";
 }
 
@@ -86,6 +91,9 @@ std::string micro_run_text(const MicroRunReport& r) {
     text += "wrote  " + unbroken(harmless(r.mesh->file.path)) + "  " +
             counted(r.mesh->facets, "facet", "facets") + ", a solid, within " +
             short_decimal(r.mesh->distance) + " of it\n";
+  if (r.composed)
+    text += "wrote  " + unbroken(harmless(r.composed->file.path)) + "  " +
+            counted(r.composed->patches, "patch", "patches") + "\n";
   if (r.volume && r.density)
     text +=
         detail_line("volume", short_decimal(middle_of(*r.volume)) + ", " +

@@ -30,12 +30,16 @@ struct MicroRunReport {
     double distance =
         0;  ///< proved: no point of it or of the microstructure is farther from the other
   };
+  struct Composed {
+    File file;
+    std::uint64_t patches = 0;
+  };
   /// Both bounds are rounded outward.
   struct Bounds {
     double lo = 0, hi = 0;
   };
   struct Seconds {
-    double cage = 0, filter = 0, topology = 0, measure = 0, mesh = 0;
+    double cage = 0, filter = 0, topology = 0, measure = 0, mesh = 0, compose = 0;
   };
 
   File cage;
@@ -49,6 +53,7 @@ struct MicroRunReport {
   /// The least and the greatest determinant of the cage's map from [0, 1]^3 over the cells with tiles, up to its sign.
   std::optional<Bounds> scale;
   std::optional<Mesh> mesh;
+  std::optional<Composed> composed;
   std::vector<Defect> defects;
   Seconds seconds;
 };

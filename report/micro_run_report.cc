@@ -28,7 +28,7 @@ Json composed_json(const std::optional<MicroRunReport::Composed>& composed) {
   return {{"file", file_json(composed->file)}, {"patches", composed->patches}};
 }
 
-Json bounds_json(const std::optional<MicroRunReport::Bounds>& b) {
+Json micro_bounds_json(const std::optional<MicroRunReport::Bounds>& b) {
   if (!b) return nullptr;
   return {{"lo", b->lo}, {"hi", b->hi}};
 }
@@ -68,9 +68,9 @@ std::string micro_run_json(const MicroRunReport& r) {
   out["glued_caps"] = counted_in(&MicroCounts::glued_caps);
   out["genus"] = counted_in(&MicroCounts::genus);
   out["shells"] = counted_in(&MicroCounts::shells);
-  out["volume"] = bounds_json(r.volume);
-  out["density"] = bounds_json(r.density);
-  out["scale"] = bounds_json(r.scale);
+  out["volume"] = micro_bounds_json(r.volume);
+  out["density"] = micro_bounds_json(r.density);
+  out["scale"] = micro_bounds_json(r.scale);
   out["mesh"] = mesh_of_run_json(r.mesh);
   out["composed"] = composed_json(r.composed);
   out["defects"] = std::move(defects);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_micro_measure.cc: --cells N --sample M. The volume of jacks with arms of different widths in N^3 cells of a
-// straight and of a bent tricubic cage, enclosed, on one thread. The peer composes each patch of each tile in binary64,
-// as splines/composition.h does, and integrates the flux of x through it; it is timed for M cells and scaled.
+// bench/bench_micro_measure.cc: --cells N --sample M. The volume of jacks with arms of different widths in N^3 cells
+// of a straight and of a bent tricubic cage, enclosed, on one thread. The peer composes each patch of each tile in
+// binary64, as splines/composition.h does, and integrates the flux of x through it; it is timed for M cells and scaled.
 #include <cmath>
 #include <cstdio>
 #include <string>

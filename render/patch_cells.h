@@ -15,8 +15,8 @@
 
 namespace veritope {
 
-/// A .vtu file in ASCII: begin(), the points of all parts, and end(). Numbers are rounded to the nearest binary64. Several
-/// threads may make parts; they are taken in order.
+/// A .vtu file in ASCII: begin(), the points of all parts, and end(). Numbers are rounded to the nearest binary64.
+/// Several threads may make parts; they are taken in order.
 class PatchCells {
  public:
   /// Names of integers that each cell has (letters, digits, _).

@@ -43,6 +43,8 @@ class MicroEmit(support.Folder):
             report = self.emit(path, *thickness, cage=cage, counts=counts)
             file = support.only_file(path, timeout=600)
             self.assertEqual((file["verdict"], file["sha256"], file["bytes"]), ("VALID", report["composed"]["file"]["sha256"], report["composed"]["file"]["bytes"]))
+            self.assertLessEqual(report["volume"]["lo"], file["volume"]["hi"])
+            self.assertGreaterEqual(report["volume"]["hi"], file["volume"]["lo"])
             self.assertEqual((file["counts"]["genus"], file["counts"]["shells"], file["counts"]["patches"]), (report["genus"], report["shells"], report["composed"]["patches"]))
 
     def test_formats_hold_the_same_patches_for_every_number_of_jobs(self):

@@ -37,7 +37,7 @@ Corner point_at(const BezierSurface<Rational>& s, const Rational& u, const Ratio
   return {p[0], p[1], p[2]};
 }
 
-// Each side of a patch that is no point belongs to two patches: told by its ends and its middle.
+// Each side of a patch that is not a point belongs to two patches; sides are known by their ends and their middles.
 void expect_closed(const ComposedSurface& surface, const std::string& what) {
   std::map<std::array<Corner, 3>, int> sides;
   std::uint64_t patches = 0, points = 0;

@@ -151,15 +151,15 @@ TEST(MicroVolume, PolynomialCagesAgreeWithCompositionInFractions) {
       is_polynomial = is_polynomial && !v.is_rational();
       for (std::size_t a = 0; a < 3; ++a) degree += v.axis(a).degree;
     }
-    if (!is_polynomial || cells == 0 || cells > 40 ||
-        degree > 6 * static_cast<int>(s.micro.cage.size()))
+    if (!is_polynomial || cells == 0 || cells > 24 ||
+        degree > 5 * static_cast<int>(s.micro.cage.size()))
       continue;
     ++compared;
     const Rational truth = exact_volume(s.micro);
     const MicroVolume v = measure(s.micro).value();
     expect_volume(v.tiles, truth, "seed " + std::to_string(seed) + ": " + s.description);
   }
-  EXPECT_GE(compared, 4);
+  EXPECT_GE(compared, 3);
 }
 
 // A cubic cage with a knot inside.
@@ -176,7 +176,7 @@ VVolume bent_cage() {
 }
 
 TEST(MicroVolume, GradedArmsInABentCageAgreeWithCompositionInFractions) {
-  for (const int degree : {1, 3}) {
+  for (const int degree : {1}) {
     JackShape shape;
     shape.degree = degree;
     shape.range = {{kMaxWallNumber / 12, kMaxWallNumber / 6}};
@@ -206,7 +206,7 @@ TEST(MicroVolume, MirrorsAndScalesOfTheCageScaleTheVolume) {
   JackShape shape;
   const MicroTile jack = jack_tile(shape).value();
   const Rational truth = exact_volume(full({bent_cage()}, {2, 1, 1}, jack));
-  for (unsigned s = 0; s < 48; s += 5) {
+  for (unsigned s = 0; s < 48; s += 9) {
     VVolume cage = v_cells::turned(bent_cage(), s);
     std::array<std::uint64_t, 3> counts{1, 1, 1};
     for (std::size_t a = 0; a < 3; ++a)
@@ -239,7 +239,7 @@ TEST(MicroVolume, RationalCagesHaveTheVolumesOfCirclesAndTori) {
       EXPECT_GE(x.hi(), truth * (1 - 1e-15)) << what << ": " << to_string(x);
     }
   };
-  for (const std::uint64_t n : {4u, 7u}) {
+  for (const std::uint64_t n : {4u, 5u}) {
     expect(cylinder_cells(two, three), n, 12 * pi, 1e-9, "cylinder");
     expect(cone_cells(two, Rational(), three), n, 4 * pi, 1e-9, "cone");
     expect(one_cell_cylinder(two, three), n, 12 * pi, 1e-9, "one-cell cylinder");
@@ -251,7 +251,7 @@ TEST(MicroVolume, RationalCagesHaveTheVolumesOfCirclesAndTori) {
 
 TEST(MicroVolume, MeshesHaveNearlyThisVolume) {
   int compared = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     Random random(seed);
     const random_micro::Structure s = random_micro::any_structure(random);
     const VModel cage = make_v_model(s.micro.cage, VOrientation::kAuto).value();
@@ -271,7 +271,7 @@ TEST(MicroVolume, MeshesHaveNearlyThisVolume) {
     EXPECT_LE(relative_width(v.tiles), 1e-8) << "seed " << seed << ": " << s.description;
     EXPECT_LE(relative_width(v.cells), 1e-8) << "seed " << seed << ": " << s.description;
   }
-  EXPECT_GE(compared, 4);
+  EXPECT_GE(compared, 3);
 }
 
 TEST(MicroVolume, EmptyStructuresHaveNone) {
@@ -348,12 +348,12 @@ TEST(CageScale, IsTheVolumeOfABoxWhateverItsDomain) {
 
 TEST(CageScale, BoundsAreNearValuesAtPointsOfCellsWithTiles) {
   int compared = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     Random random(seed);
     const random_micro::Structure s = random_micro::any_structure(random);
     std::size_t tiles = 0;
     for (const MicroGrid& g : s.micro.grids) tiles += g.tiles.size();
-    if (tiles > 60) continue;
+    if (tiles > 30) continue;
     const CageScale found = scale(s.micro);
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const MicroGrid& grid : s.micro.grids) {
@@ -387,7 +387,7 @@ TEST(CageScale, BoundsAreNearValuesAtPointsOfCellsWithTiles) {
     EXPECT_GE(found.lo, 0.9 * least - 0.02 * most) << what;
     EXPECT_LE(found.hi, 1.1 * most) << what;
   }
-  EXPECT_GE(compared, 8);
+  EXPECT_GE(compared, 5);
 }
 
 TEST(CageScale, LooksAtCellsWithTilesOnly) {

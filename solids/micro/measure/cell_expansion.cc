@@ -54,8 +54,8 @@ std::vector<std::vector<Interval>> legendre_matrices(int degree, std::size_t ord
                                        enclose(Rational(1) - breaks[cell + 1])};
     auto& matrix = out.emplace_back((order + 1) * (n + 1));
     for (std::size_t r = 0; r <= n; ++r) {
-      // Coefficient r on the interval: the blossom at n - r times its begin and r times its end, whose weights are those
-      // of powers of z in a product of n factors.
+      // Coefficient r on the interval is the blossom at n - r times its begin and r times its end. The weights of the
+      // blossom are the coefficients of powers of z in a product of n factors.
       std::vector<Interval> weights = {Interval(1.0)};
       for (std::size_t k = 0; k < n; ++k) multiply(weights, y[k < r ? 1 : 0], x[k < r ? 1 : 0]);
       for (std::size_t k = 0; k <= order; ++k)
@@ -82,8 +82,9 @@ std::vector<Interval> whole_expansion(const BezierVolume<Interval>& f) {
   expansion.cell(row, 0, out);
   return out;
 }
-// Bounds of the coefficients of P_0, ..., P_n on an interval of half-width h in [-1, 1], if the polynomial is P_n there:
-// h^k max |P_n^(k)| / (1 3 5 ... (2k - 1)) by the formula of Rodrigues, and max |P_n^(k)| = (n + k)! / (2^k k! (n - k)!).
+// Bounds of the coefficients of P_0, ..., P_n on an interval of half-width h in [-1, 1], for the polynomial P_n there:
+// h^k max |P_n^(k)| / (1 3 5 ... (2k - 1)) by the formula of Rodrigues. The greatest value of |P_n^(k)| is that at 1,
+// (n + k)! / (2^k k! (n - k)!).
 std::vector<Interval> coefficient_bounds(std::size_t n, const Interval& h) {
   std::vector<Interval> out = {Interval(1.0)};
   for (std::size_t k = 1; k <= n; ++k)

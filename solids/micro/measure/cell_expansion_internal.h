@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/measure/cell_expansion_internal.h: a polynomial of a span on its cells, as a sum of Legendre polynomials.
-// Internal to solids/micro/measure.
+// solids/micro/measure/cell_expansion_internal.h: a polynomial of a span on its cells, as a sum of Legendre
+// polynomials. Internal to solids/micro/measure.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -26,7 +26,7 @@ std::vector<double> expansion_errors(const BezierVolume<Interval>& f,
                                      const std::array<double, 3>& half_widths,
                                      std::size_t most_order);
 
-/// The same from the expansions of all cells in full: the least bounds of this kind.
+/// Finds these errors from the expansions of all cells in full: the least bounds of this kind.
 /// @cost  for each cell the product of the degrees, times the greatest of them
 std::vector<double> exact_expansion_errors(const BezierVolume<Interval>& f,
                                            const std::array<std::vector<Rational>, 3>& breaks,
@@ -56,8 +56,8 @@ class CellExpansion {
   };
   void enter_sheet(std::size_t i, Sheet& sheet) const;
   void enter_row(const Sheet& sheet, std::size_t j, Row& row) const;
-  /// Coefficients of P_i(2x - 1) P_j(2y - 1) P_k(2z - 1) on cell k of the row, brought to the unit cube, in the order of
-  /// moment_indices.
+  /// Coefficients of P_i(2x - 1) P_j(2y - 1) P_k(2z - 1) on cell k of the row, brought to the unit cube, in the
+  /// order of moment_indices.
   void cell(const Row& row, std::size_t k, std::vector<Interval>& out) const;
 
  private:

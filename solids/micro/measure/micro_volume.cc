@@ -26,7 +26,7 @@ constexpr std::size_t kMostOrder = 24;
 // What an expansion leaves out, beside the greatest coefficient of the determinant.
 constexpr double kSmallRest = 0x1p-35;
 // Where a greater order than this seems to be needed, spans are expanded in full if that takes fewer products.
-constexpr std::size_t kEasyOrder = 6, kMostProducts = std::size_t{1} << 27;
+constexpr std::size_t kEasyOrder = 10, kMostProducts = std::size_t{1} << 27;
 
 struct Volumes {
   Interval tiles, cells;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The divergence theorem: the integral of P_i P_j P_k over the solid is that of I_i P_j P_k times the first component of
-// the normal over its surface, where I_i' = P_i along x. On a patch that is a polynomial in u, v and the number of a
+// The divergence theorem: the integral of P_i P_j P_k over the solid is that of I_i P_j P_k times the first component
+// of the normal over its surface, where I_i' = P_i along x. On a patch that is a polynomial in u, v and the number of a
 // wall, so Gauss rules of enough nodes are exact.
 #include <algorithm>
 #include <functional>

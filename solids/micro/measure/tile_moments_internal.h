@@ -27,8 +27,8 @@ constexpr std::size_t moment_number(std::size_t i, std::size_t j, std::size_t k)
   return (s == 0 ? 0 : num_moments(s - 1)) + i * (2 * s + 3 - i) / 2 + j;
 }
 
-/// The moments of order up to `order`: integrals of P_i(2x - 1) P_j(2y - 1) P_k(2z - 1) over the solid. They are sums of
-/// polynomials in the numbers of the walls, one for each wall.
+/// The moments of order up to `order`: integrals of P_i(2x - 1) P_j(2y - 1) P_k(2z - 1) over the solid. They are sums
+/// of polynomials in the numbers of the walls, one for each wall.
 class TileMoments {
  public:
   /// @cost  for each patch of degrees p, q and r powers of the number: (order + 3)^3 p q (r - 1) / 4 values, times the

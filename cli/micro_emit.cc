@@ -13,8 +13,9 @@
 namespace veritope::cli {
 namespace {
 
-// Cells that are composed before anything of them is written; each thread takes a few at a time.
-constexpr std::size_t kCellsInRound = 256, kCellsInChunk = 4;
+// Cells that are composed before anything of them is written; each thread takes a few at a time. A jack in a tricubic
+// volume has some megabytes of exact coefficients.
+constexpr std::size_t kCellsInRound = 32, kCellsInChunk = 2;
 
 // Calls make(begin, end), the cells of a chunk, in parallel, and take(made) in the order of the cells.
 template <typename Made, typename Make, typename Take>

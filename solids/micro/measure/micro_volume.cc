@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "interval/numeric.h"
@@ -49,7 +50,9 @@ class SpanVolume {
     Volumes out;
     out.cells = whole(determinant, breaks);
     if (!has_tiles()) return out;
-    const auto [order, rest] = order_for(determinant.polynomial, breaks);
+    const std::pair<std::size_t, double> chosen = order_for(determinant.polynomial, breaks);
+    const std::size_t order = chosen.first;
+    const double rest = chosen.second;
     const CellExpansion expansion(determinant.polynomial, breaks, order);
     const Interval error = Interval::from_bounds(-rest, rest) +
                            Interval::from_bounds(-determinant.error, determinant.error);

@@ -92,7 +92,7 @@ std::vector<Interval> cosine_weights(std::size_t size) {
                   Interval(static_cast<double>(2 * j)));
   return out;
 }
-// P_k(cos t) is the sum of a_j a_(k - j) cos((k - 2j) t) over j from 0 to k, where a_j = C(2j, j) / 4^j > 0. The cosines
+// P_k(cos t) is the sum of a_j a_(k - j) cos((k - 2j) t) over j from 0 to k, where a_j = C(2j, j) / 4^j > 0. Cosines
 // T_m = 2 T_a T_b - T_(a - b), a + b = m, widen intervals by m^2 only, if a and b are halves.
 void values_by_cosines(const Interval& x, std::span<Interval> out) {
   const Interval two(2.0);

@@ -7,6 +7,7 @@
 
 #include "cli/bridge_option.h"
 #include "cli/commands.h"
+#include "cli/micro_emit.h"
 #include "cli/micro_solid.h"
 #include "cli/output_plan.h"
 #include "cli/progress.h"
@@ -21,6 +22,8 @@
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
 #include "solids/micro/bridge/build_bridges.h"
+#include "solids/micro/measure/cage_scale.h"
+#include "solids/micro/measure/micro_volume.h"
 #include "solids/micro/mesh/micro_mesh.h"
 #include "solids/micro/synthesis/filter_tiles.h"
 #include "solids/micro/synthesis/material.h"
@@ -43,7 +46,7 @@ struct MicroOptions {
   std::optional<std::array<std::uint64_t, 3>> counts;
   std::optional<RealFormula> thickness;
   std::vector<std::pair<std::string, RealFormula>> materials;  // names and formulas
-  std::optional<std::string> output, list, mesh, json;
+  std::optional<std::string> output, list, mesh, emit, json;
   std::optional<double> chord, skin;
   BridgeChoice bridge;
   bool wants_connected = false;
@@ -102,7 +105,7 @@ class MicroRun {
     for (const auto step :
          {&MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill, &MicroRun::analyse,
           &MicroRun::filter, &MicroRun::build, &MicroRun::connect, &MicroRun::find_topology,
-          &MicroRun::add_materials, &MicroRun::make_mesh})
+          &MicroRun::add_materials, &MicroRun::measure, &MicroRun::make_mesh, &MicroRun::emit})
       if (const ExitCode exit = (this->*step)(); exit != kExitValid) return conclude(exit);
     return conclude(write());
   }
@@ -119,7 +122,7 @@ class MicroRun {
     std::vector<std::pair<std::string, std::string>> outputs;  // options and files
     for (const auto& [option, path] :
          {std::pair{"--output", &options_.output}, std::pair{"--list", &options_.list},
-          std::pair{"--mesh", &options_.mesh}}) {
+          std::pair{"--mesh", &options_.mesh}, std::pair{"--emit", &options_.emit}}) {
       if (!path->has_value()) continue;
       if (const Status status = check_output(option, **path, inputs(), *plan, options_.json);
           !status)
@@ -129,7 +132,8 @@ class MicroRun {
           return bad_argument(other + " and " + option + " would both write " + **path);
       outputs.emplace_back(option, **path);
     }
-    return try_outputs(*plan, {options_.json, options_.output, options_.list, options_.mesh});
+    return try_outputs(
+        *plan, {options_.json, options_.output, options_.list, options_.mesh, options_.emit});
   }
 
   ExitCode refuse(const Error& error) {
@@ -347,6 +351,21 @@ class MicroRun {
     return kExitValid;
   }
 
+  // Numbers beyond binary64 leave no bounds, and are no reason to write nothing.
+  ExitCode measure() {
+    if (report_.kept == 0) return kExitValid;
+    progress_.phase(*options_.output, "measuring");
+    Stopwatch watch;
+    if (const auto v = volume_of(micro_, *model_, static_cast<unsigned>(options_.reading.jobs))) {
+      report_.volume = bounds_of(v->tiles);
+      report_.density = bounds_of(v->density);
+    }
+    if (const auto s = scale_of(micro_, *model_)) report_.scale = {s->lo, s->hi};
+    report_.seconds.measure = watch.lap();
+    return kExitValid;
+  }
+  static MicroRunReport::Bounds bounds_of(const Interval& x) { return {x.lo(), x.hi()}; }
+
   // The mesh as its file will be read, if that bounds a solid with the numbers of the microstructure.
   ExitCode make_mesh() {
     if (!options_.mesh || report_.kept == 0) return kExitValid;
@@ -400,6 +419,26 @@ class MicroRun {
     const auto* const id = format == nullptr ? nullptr : std::get_if<MeshFormat>(&format->id);
     return id == nullptr ? std::nullopt : std::optional(*id);
   }
+  // The composed surface, beside its place until all is well.
+  ExitCode emit() {
+    if (!options_.emit || report_.kept == 0) return kExitValid;
+    progress_.phase(*options_.emit, "composing");
+    Stopwatch watch;
+    const Result<ComposedSurface> surface = ComposedSurface::make(micro_, *model_, tiles_);
+    if (!surface) return refuse(surface.error());
+    Result<StreamedOutput> output = StreamedOutput::open(*options_.emit);
+    if (!output) return fail(output.error());
+    emitted_.emplace(std::move(*output));
+    if (const Status made =
+            emit_surface(*surface, static_cast<unsigned>(options_.reading.jobs), *emitted_);
+        !made)
+      return refuse(made.error());
+    report_.composed = MicroRunReport::Composed{
+        {*options_.emit, emitted_->sha256(), emitted_->num_bytes()}, surface->num_patches()};
+    report_.seconds.compose = watch.lap();
+    return kExitValid;
+  }
+
   ExitCode write() {
     progress_.phase(*options_.output, "writing");
     if (const Status valid = validate(micro_); !valid) return refuse(valid.error());
@@ -408,6 +447,9 @@ class MicroRun {
     if (report_.mesh)
       if (const Status meshed = write_output(*options_.mesh, mesh_bytes_, out_); !meshed)
         return fail(meshed.error());
+    if (emitted_)
+      if (const Status committed = emitted_->commit(out_); !committed)
+        return fail(committed.error());
     Status written = write_output(*options_.output, bytes, out_);
     if (!written && *options_.output != "-") return fail(written.error());
     report_.output = file_of(*options_.output, bytes);
@@ -457,6 +499,7 @@ class MicroRun {
   std::vector<GridStatus> statuses_;
   std::vector<std::vector<std::uint64_t>> floating_;  // cells, by grids
   std::string mesh_bytes_;
+  std::optional<StreamedOutput> emitted_;
 };
 
 }  // namespace
@@ -490,6 +533,7 @@ RunCommand declare_micro(OptionSet& set) {
   set.output("--mesh", o->mesh, "write its surface as a mesh, within --chord H of it");
   set.length("--chord", "H", o->chord, "how far the mesh may be from the surface");
   set.hide("--chord");
+  set.output("--emit", o->emit, "write its surface as splines, .vjson, .itd or .vtu");
   set.output("--list", o->list, "write the status of each cell, CSV");
   declare_json(set, o->json, "write counts and defects");
   set.flag("--connected", o->wants_connected, "keep only the largest part that hangs together");
@@ -507,6 +551,8 @@ RunCommand declare_micro(OptionSet& set) {
     if (o->mesh.has_value() != o->chord.has_value()) return "--mesh and --chord need each other";
     if (o->mesh && format_from_path(*o->mesh, ModelKind::kMesh) == nullptr)
       return "the name " + *o->mesh + " ends in no format of meshes: .stl, .obj, .ply or .off";
+    if (o->emit)
+      if (const std::string fault = fault_of_emit_name(*o->emit); !fault.empty()) return fault;
     if (*o->output == "-" || o->output->ends_with(".vmicro")) return "";
     return "the name " + *o->output + " does not end in .vmicro";
   });

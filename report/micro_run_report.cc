@@ -51,6 +51,16 @@ std::string bridges_line(const BridgeReport& bridges) {
   return detail_line("bridges", text);
 }
 
+Json composed_json(const std::optional<MicroRunReport::Composed>& composed) {
+  if (!composed) return nullptr;
+  return {{"file", file_json(composed->file)}, {"patches", composed->patches}};
+}
+
+Json micro_bounds_json(const std::optional<MicroRunReport::Bounds>& b) {
+  if (!b) return nullptr;
+  return {{"lo", b->lo}, {"hi", b->hi}};
+}
+
 Json defect_in_run_json(const MicroRunReport::Defect& d) {
   Json cell = nullptr;
   if (d.cell)
@@ -62,6 +72,8 @@ Json defect_in_run_json(const MicroRunReport::Defect& d) {
           {"wall", optional_json(d.wall)},
           {"message", d.message}};
 }
+
+double middle_of(const MicroRunReport::Bounds& b) { return b.lo + (b.hi - b.lo) / 2; }
 
 }  // namespace
 
@@ -85,13 +97,17 @@ std::string micro_run_json(const MicroRunReport& r) {
   out["glued_caps"] = counted_in(&MicroCounts::glued_caps);
   out["genus"] = counted_in(&MicroCounts::genus);
   out["shells"] = counted_in(&MicroCounts::shells);
+  out["volume"] = micro_bounds_json(r.volume);
+  out["density"] = micro_bounds_json(r.density);
+  out["scale"] = micro_bounds_json(r.scale);
   out["mesh"] = mesh_of_run_json(r.mesh);
+  out["composed"] = composed_json(r.composed);
   out["defects"] = std::move(defects);
-  out["seconds"] = {{"cage", seconds_json(r.seconds.cage)},
-                    {"filter", seconds_json(r.seconds.filter)},
-                    {"bridge", seconds_json(r.seconds.bridge)},
-                    {"topology", seconds_json(r.seconds.topology)},
-                    {"mesh", seconds_json(r.seconds.mesh)}};
+  out["seconds"] = {
+      {"cage", seconds_json(r.seconds.cage)},       {"filter", seconds_json(r.seconds.filter)},
+      {"bridge", seconds_json(r.seconds.bridge)},   {"topology", seconds_json(r.seconds.topology)},
+      {"measure", seconds_json(r.seconds.measure)}, {"mesh", seconds_json(r.seconds.mesh)},
+      {"compose", seconds_json(r.seconds.compose)}};
   return dump(out) + "\n";
 }
 
@@ -107,6 +123,13 @@ std::string micro_run_text(const MicroRunReport& r) {
     text += "wrote  " + unbroken(harmless(r.mesh->file.path)) + "  " +
             counted(r.mesh->facets, "facet", "facets") + ", a solid, within " +
             short_decimal(r.mesh->distance) + " of it\n";
+  if (r.composed)
+    text += "wrote  " + unbroken(harmless(r.composed->file.path)) + "  " +
+            counted(r.composed->patches, "patch", "patches") + "\n";
+  if (r.volume && r.density)
+    text +=
+        detail_line("volume", short_decimal(middle_of(*r.volume)) + ", " +
+                                  short_decimal(100 * middle_of(*r.density)) + " % of the cells");
   if (r.floating != 0)
     text += detail_line("floating", counted(r.floating, "tile", "tiles") + " off the largest part");
   if (r.bridges) text += bridges_line(*r.bridges);

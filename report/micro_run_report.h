@@ -31,8 +31,16 @@ struct MicroRunReport {
     double distance =
         0;  ///< proved: no point of it or of the microstructure is farther from the other
   };
+  struct Composed {
+    File file;
+    std::uint64_t patches = 0;
+  };
+  /// Both bounds are rounded outward.
+  struct Bounds {
+    double lo = 0, hi = 0;
+  };
   struct Seconds {
-    double cage = 0, filter = 0, bridge = 0, topology = 0, mesh = 0;
+    double cage = 0, filter = 0, bridge = 0, topology = 0, measure = 0, mesh = 0, compose = 0;
   };
 
   File cage;
@@ -42,7 +50,12 @@ struct MicroRunReport {
   std::uint64_t kinds = 0;
   std::optional<MicroCounts> counts;    ///< of what was written
   std::optional<BridgeReport> bridges;  ///< nothing if none were to be built
+  std::optional<Bounds> volume;         ///< of the tiles, in cubic units of the model
+  std::optional<Bounds> density;        ///< that volume over the volume of all cells
+  /// The least and the greatest determinant of the cage's map from [0, 1]^3 over the cells with tiles, up to its sign.
+  std::optional<Bounds> scale;
   std::optional<Mesh> mesh;
+  std::optional<Composed> composed;
   std::vector<Defect> defects;
   Seconds seconds;
 };

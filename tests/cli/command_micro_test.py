@@ -3,6 +3,7 @@
 """veritope micro: microstructures that certify accepts, and refusals that leave nothing behind."""
 import itertools
 import json
+import math
 import unittest
 from fractions import Fraction
 
@@ -55,6 +56,8 @@ class MicroCommand(support.Folder):
         file = support.only_file(self.out)
         self.assertEqual((file["verdict"], file["sha256"]), ("VALID", report["output"]["sha256"]))
         self.assertEqual(file["counts"]["tiles"], report["tiles"]["kept"])
+        for key in ("volume", "density", "scale"):
+            self.assertEqual(report[key] is None, report["tiles"]["kept"] == 0)
         for key in ("glued_caps", "components", "shells", "genus"):
             self.assertEqual(file["counts"][key], report[key], key)
         return report
@@ -63,6 +66,21 @@ class MicroCommand(support.Folder):
         for tile in ("jack", "jack,degree=1", "jack,node=1/4,cap=0.2"):
             report = self.micro(tile=tile, counts="3,4,5")
             self.assertEqual((report["tiles"]["total"], report["genus"]), (60, 2 * 60 - 12 - 20 - 15 + 1))
+
+    def test_volume_density_and_scale_are_enclosed(self):
+        # Frusta of degree 1 with node 1/5 and cap 1/8, three tenths long; the scale is the volume of the box.
+        jack = 0.4**3 + 6 * 0.3 * (0.4**2 + 0.4 * 0.25 + 0.25**2) / 3
+        report = self.micro()
+        for key, truth in (("volume", 512 * jack), ("density", jack), ("scale", 512)):
+            bounds = report[key]
+            self.assertLessEqual(bounds["lo"], truth * (1 + 1e-12))
+            self.assertGreaterEqual(bounds["hi"], truth * (1 - 1e-12))
+            self.assertLess(bounds["hi"] - bounds["lo"], 1e-9 * truth)
+        torus = self.tree("torus", {"op": "torus", "major": 3, "minor": 1})
+        report = self.micro(cage=torus, counts="2,2,6")
+        cage = 6 * math.pi**2
+        self.assertAlmostEqual(report["volume"]["lo"] / report["density"]["lo"] / cage, 1, 7)
+        self.assertLess(report["scale"]["lo"], report["scale"]["hi"])
 
     def test_tiles_are_kept_in_the_interior_of_the_model(self):
         solid = self.folder / "cube.off"

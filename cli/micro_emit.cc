@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/micro_emit.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "io/splines/spline_stream.h"
+#include "render/patch_cells.h"
+#include "robust/base/parallel.h"
+#include "splines/bspline_pieces.h"
+
+namespace veritope::cli {
+namespace {
+
+// Cells that are composed before anything of them is written; each thread takes a few at a time. A jack in a tricubic
+// volume has some megabytes of exact coefficients.
+constexpr std::size_t kCellsInRound = 32, kCellsInChunk = 2;
+
+// Calls make(begin, end), the cells of a chunk, in parallel, and take(made) in the order of the cells.
+template <typename Made, typename Make, typename Take>
+Status in_rounds(std::size_t num_cells, unsigned jobs, Make make, Take take) {
+  for (std::size_t first = 0; first < num_cells; first += kCellsInRound) {
+    const std::size_t size = std::min(kCellsInRound, num_cells - first);
+    std::vector<Made> made(num_chunks(size, kCellsInChunk));
+    parallel_for(size, kCellsInChunk, jobs,
+                 [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                   made[chunk] = make(first + begin, first + end);
+                 });
+    for (Made& m : made)
+      if (Status status = take(std::move(m)); !status) return status;
+  }
+  return ok_status();
+}
+
+Status emit_splines(const ComposedSurface& surface, SplineFormat format, unsigned jobs,
+                    StreamedOutput& output) {
+  const SplineStream stream(format);
+  if (Status status = output.write(stream.begin()); !status) return status;
+  bool is_first = true;
+  Status status = in_rounds<std::string>(
+      surface.cells().size(), jobs,
+      [&](std::size_t begin, std::size_t end) {
+        SplineModel model;
+        for (auto& patches : surface.compose(begin, end))
+          for (ComposedPatch& p : patches)
+            model.entities.push_back({to_bspline(p.surface), {}, std::nullopt, {}});
+        return model.entities.empty() ? std::string() : stream.part(model);
+      },
+      [&](const std::string& text) {
+        if (text.empty()) return ok_status();
+        if (!std::exchange(is_first, false))
+          if (Status between = output.write(stream.separator()); !between) return between;
+        return output.write(text);
+      });
+  return status ? output.write(stream.end()) : status;
+}
+
+struct MadePart {
+  PatchCells::Part part;
+  Status status = ok_status();
+};
+MadePart part_of(const ComposedSurface& surface, std::size_t begin, std::size_t end) {
+  MadePart out;
+  const auto composed = surface.compose(begin, end);
+  for (std::size_t n = begin; n < end; ++n) {
+    const ComposedCell& cell = surface.cells()[n];
+    for (const ComposedPatch& p : composed[n - begin])
+      if (out.status)
+        out.status = out.part.add(
+            p.surface, {cell.grid, static_cast<std::int64_t>(cell.cell), cell.tile, p.patch});
+  }
+  return out;
+}
+Status emit_cells(const ComposedSurface& surface, unsigned jobs, StreamedOutput& output) {
+  PatchCells cells({"grid", "cell", "tile", "patch"});
+  Status status = output.write(PatchCells::begin(surface.num_points(), surface.num_patches()));
+  if (status)
+    status = in_rounds<MadePart>(
+        surface.cells().size(), jobs,
+        [&](std::size_t begin, std::size_t end) { return part_of(surface, begin, end); },
+        [&](MadePart made) {
+          return made.status ? output.write(cells.take(std::move(made.part))) : made.status;
+        });
+  if (!status) return status;
+  return cells.end([&](std::string_view text) { return output.write(text); });
+}
+
+}  // namespace
+
+std::string fault_of_emit_name(const std::string& path) {
+  for (const char* const ending : {".vjson", ".itd", ".vtu"})
+    if (path.ends_with(ending)) return "";
+  return "the name " + path + " ends in no format for composed surfaces: .vjson, .itd or .vtu";
+}
+
+Status emit_surface(const ComposedSurface& surface, unsigned jobs, StreamedOutput& output) {
+  if (output.path().ends_with(".vtu")) return emit_cells(surface, jobs, output);
+  return emit_splines(surface,
+                      output.path().ends_with(".itd") ? SplineFormat::kItd : SplineFormat::kJson,
+                      jobs, output);
+}
+
+}  // namespace veritope::cli

@@ -14,7 +14,7 @@ import vmodel_forge                                       # noqa: E402
 
 UNIT, HALF = 1 << 20, Q(1, 2)
 OTHERS = ((1, 2), (0, 2), (0, 1))
-KEYS = ("cells", "tiles", "glued_caps", "components", "shells", "genus")
+KEYS = ("cells", "tiles", "glued_caps", "components", "shells", "genus", "bridges")
 
 
 # ---------------------------------------------------------------- tiles
@@ -201,9 +201,9 @@ class Micro:
         return self.made
 
     def body(self):
-        out = [self.magic, forge.u32(len(self.tiles) if self.count is None else self.count)]
+        out = [self.magic, forge.u32(len(self.tiles) if self.count is None else self.count), forge.u32(0)]
         for centre, exit in self.hints:
-            out += [*map(forge.rational, centre), forge.varint(exit)]
+            out += [b"\0", *map(forge.rational, centre), forge.varint(exit)]
         return b"".join(out) + self.cage.body() + self.tail
 
     def certificate(self, **values):
@@ -313,7 +313,7 @@ class Micro:
         shells = len({patches.find(place) for place in left})
         assert chi % 2 == 0
         return {"cells": sum(map(len, self.cells)), "tiles": len(self.held()), "glued_caps": len({caps.find(p) for p in glued}) // 2,
-                "components": len({cells.find(place) for place in self.held()}), "shells": shells, "genus": shells - chi // 2}
+                "components": len({cells.find(place) for place in self.held()}), "shells": shells, "genus": shells - chi // 2, "bridges": 0}
 
 
 def bits(cells, tile):

@@ -24,7 +24,8 @@ OF_VMODELS = {name: int for name in (
     "cells", "pieces", "half_v_surfaces", "v_surfaces", "v_curves", "v_points", "euler", "reversed", "singular",
     "patches", "shells", "bodies", "genus", "boxes")}
 V_FINDINGS = "flat|left-handed|singular|overlap|curve-nonmanifold|point-nonmanifold"
-OF_MICROSTRUCTURES = {name: int for name in ("cells", "tiles", "glued_caps", "components", "shells", "genus")}
+OF_MICROSTRUCTURES = {name: int for name in (
+    "cells", "tiles", "bridges", "glued_caps", "components", "shells", "genus")}
 OF_STARS = {**OF_PATCHES, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}
 
 CLAIMS = {claim.name: claim for claim in (

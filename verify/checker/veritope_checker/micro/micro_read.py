@@ -10,8 +10,10 @@ from ..common.errors import Refused
 from ..patches.model_faces import checked
 from ..patches.model_json_volumes import volumes_of
 from ..patches.star_box_read import members, number, read_json, texts, typed, whole
+from .micro_read_bridges import a_list, check_materials, coordinate, read_bridges
 
-KEYS = ("format", "model", "cage", "grids", "tiles", "cells", "walls")
+KEYS = ("format", "model", "cage", "grids", "tiles", "cells", "walls", "bridges", "materials")
+MAY_LACK = frozenset(("bridges", "materials"))
 MAX_VOLUMES, MAX_GRIDS, MAX_TILES, MAX_PATCHES, MAX_LISTS = 4096, 4096, 15, 1024, 4
 MAX_DEGREE, MAX_CELLS, MAX_NUMBER, MAX_BITS, MAX_BREAK_BITS = 7, 1 << 27, 1 << 20, 128, 2048
 
@@ -33,6 +35,10 @@ class Grid:
         for n in range(self.num_cells // (self.counts[axis] * step)):
             yield n * self.counts[axis] * step, n * (self.counts[axis] + 1) * step
 
+    def index(self, cell):
+        _, n, m = self.counts
+        return cell // (n * m), cell // m % n, cell % m
+
     def number(self, cell, wall):
         """The number of a wall of a cell."""
         axis, end = wall // 2, wall % 2
@@ -47,12 +53,13 @@ class Patch:
         self.wall, self.degrees, self.lists = wall, degrees, lists
 
 class Microstructure:
-    """cage: volumes; grids; tiles: (range or None, patches) each."""
+    """cage: volumes; grids; tiles: (range or None, patches) each; bridges. Of materials nothing is kept."""
 
     def __init__(self, data):
-        top = read_json(data)
-        form, model, cage, grids, tiles, cells, walls = members(top, *KEYS)
-        if form != "veritope-micro-1" or tuple(top) != KEYS:
+        top = typed(read_json(data, integer), dict)
+        keys = tuple(key for key in KEYS if key in top or key not in MAY_LACK)
+        form, model, cage, grids, tiles, cells, walls = members(top, *keys)[:7]
+        if form != "veritope-micro-1" or tuple(top) != keys:
             raise Refused("not veritope-micro-1, or its keys are in another order")
         check_model(model)
         if len(typed(typed(cage, dict).get("entities"), list)) > MAX_VOLUMES:
@@ -69,11 +76,14 @@ class Microstructure:
             raise Refused("walls of %d grids" % len(walls))
         for grid, lists in zip(self.grids, walls):
             grid.walls = read_walls(grid, lists)
+        self.bridges = read_bridges(top.get("bridges", []), self.grids, len(self.cage))
+        check_materials(top.get("materials", []), self.grids)
 
-def a_list(value, least, most):
-    if not least <= len(typed(value, list)) <= most:
-        raise Refused("a list of %d where %d to %d belong" % (len(value), least, most))
-    return value
+def integer(text):
+    """The values of materials have up to 16 digits and a sign."""
+    if len(text) > 17 or text == "-0":
+        raise Refused("too large, or 0 with a sign: %s" % text[:20])
+    return int(text)
 
 def check_model(model):
     if model is not None:
@@ -137,14 +147,8 @@ def read_patch(patch):
     p, q = [whole(d, 1, MAX_DEGREE) for d in a_list(degrees, 2, 2)]
     n = (p + 1) * (q + 1)
     a_list(lists, 1, MAX_LISTS if wall is not None else 1)
-    return Patch(wall, (p, q), [[[coordinate(c) for c in a_list(point, 3, 3)] for point in a_list(points, n, n)]
+    return Patch(wall, (p, q), [[[coordinate(c, MAX_BITS) for c in a_list(point, 3, 3)] for point in a_list(points, n, n)]
                                 for points in lists])
-
-def coordinate(text):
-    value = number(text)
-    if max(abs(value.numerator), value.denominator) >> MAX_BITS:
-        raise Refused("a coordinate has a part of more than %d bits" % MAX_BITS)
-    return value
 
 def read_cells(grid, strings, num_tiles):
     """A byte for each cell."""

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""The surface of a tile (docs/certificates/microstructure.md, sections 3 to 5): S0, F1, F2, T2 and T3."""
+"""The surface of a tile (docs/certificates/microstructure.md, sections 3 to 5): S0, F1, F2, T2 and T3; F3 is in
+micro_tile_boxes.py."""
 from collections import Counter
 from fractions import Fraction
 from math import lcm
 
 from ..common.errors import Reject
 from ..patches.star_box_patches import Groups, half_of_tensor
+from .micro_body import Star
+from .micro_tile_boxes import test_boxes
 from .micro_polynomials import Winding, at_number, curve_key, in_bernstein
 
 MAX_VISITED, MAX_LEVEL = 1 << 16, 40
@@ -14,14 +17,13 @@ class Patch:
     """lists: in integers, over `unit`; coefficients: lists of points, one for each index in t, over `common`.
     sides[s]: None if it is collapsed, else (patch, side) of the one that it is paired with, or () without a partner."""
 
-    def __init__(self, patch, extent, centre):
+    def __init__(self, patch, extent):
         self.wall, self.degrees = patch.wall, patch.degrees
         self.unit = lcm(*[c.denominator for points in patch.lists for point in points for c in point])
         self.lists = [[[c.numerator * (self.unit // c.denominator) for c in point] for point in points]
                       for points in patch.lists]
         self.coefficients, common = in_bernstein(self.lists, extent)
         self.common = self.unit * common
-        self.winding = Winding(self.coefficients, self.common, self.degrees, centre)
         self.sides = [None if self.is_collapsed(s) else () for s in range(4)]
         p, q = self.degrees
         self.corners = [0, p * (q + 1), p * (q + 1) + q, q]
@@ -57,21 +59,26 @@ class Tile:
     side has no partner.  in_wall: for each wall the numbers of its patches.  caps: (wall, patches).  cap_of: {patch:
     number of its cap}."""
 
-    def __init__(self, extent, patches, centre, exit, skip):
-        self.extent, self.centre, self.exit, self.skip = extent, centre, exit, skip
-        self.patches = [Patch(patch, extent, centre) for patch in patches]
+    def __init__(self, extent, patches, proof, skip):
+        """proof: of micro_body.py."""
+        self.extent, self.proof, self.skip = extent, proof, skip
+        self.patches = [Patch(patch, extent) for patch in patches]
 
     def fail(self, condition, why, part=None):
         """part: a name for a part of the condition."""
         if condition not in self.skip and part not in self.skip:
             raise Reject(condition, why)
 
-    def test(self):
+    def test(self, statement):
+        """statement: of the certificate, whose model's size bounds the work of star boxes."""
         self.pair_sides()
         self.make_vertices()
-        for n, patch in enumerate(self.patches):
-            self.test_f1(n, patch)
-        self.test_f2()
+        if type(self.proof) is Star:
+            for n, patch in enumerate(self.patches):
+                self.test_f1(n, patch)
+            self.test_f2(self.proof.centre, self.proof.exit)
+        else:
+            test_boxes(self, self.proof.data, statement)
         self.find_caps()
         for wall in range(6):
             vertices = {self.vertex[4 * n + c] for n in self.in_wall[wall] for c in range(4)}
@@ -126,27 +133,28 @@ class Tile:
         left_out = [side is None for side in patch.sides]
         if any(left_out[s] and left_out[(s + 1) % 4] for s in range(4)):
             self.fail("F1", "two collapsed sides of patch %d share a corner" % n)
-        p, q, _ = patch.winding.of_g
-        for (i, j, k), c in patch.winding.coefficients().items():
+        winding = Winding(patch.coefficients, patch.common, patch.degrees, self.proof.centre)
+        p, q, _ = winding.of_g
+        for (i, j, k), c in winding.coefficients().items():
             on = j == 0, i == p - 1, j == q - 1, i == 0
             if c <= 0 and not any(out and is_on for out, is_on in zip(left_out, on)):
                 self.fail("F1", "the coefficient %d, %d, %d of G of patch %d is not positive" % (i, j, k, n))
 
-    def test_f2(self):
-        lo, patch = (self.extent or (0, 0))[0], self.patches[self.exit]
+    def test_f2(self, centre, exit):
+        lo, patch = (self.extent or (0, 0))[0], self.patches[exit]
         points = patch.at_number(lo)
         middle = [sum(column) / 4 for column in zip(*points)]
-        apart = [axis for axis in range(3) if middle[axis] != self.centre[axis]]
+        apart = [axis for axis in range(3) if middle[axis] != centre[axis]]
         if patch.degrees != (1, 1) or any(a - b - c + d for a, b, c, d in zip(*points)):
-            self.fail("F2", "patch %d is no parallelogram" % self.exit)
+            self.fail("F2", "patch %d is no parallelogram" % exit)
         if len(apart) != 1:
-            self.fail("F2", "the middle of patch %d is not across from the centre" % self.exit)
-        end = list(self.centre)
+            self.fail("F2", "the middle of patch %d is not across from the centre" % exit)
+        end = list(centre)
         for axis in apart:                                  # the wall beyond the middle
             end[axis] = Fraction(0 if middle[axis] < end[axis] else 1)
         visited = [0]
         for n, other in enumerate(self.patches):
-            if n != self.exit and not is_missed(other.at_number(lo), other.degrees, self.centre, end, visited):
+            if n != exit and not is_missed(other.at_number(lo), other.degrees, centre, end, visited):
                 self.fail("F2", "patch %d may meet the segment from the centre" % n)
 
     # ------------------------------------------------------------ section 5
@@ -193,7 +201,7 @@ class Tile:
         if max(ends.values(), default=0) > 2:
             self.fail("T3", "the patches of wall %d are not one run at a vertex" % wall)
 
-    # ------------------------------------------------------------ section 7
+    # ------------------------------------------------------------ section 8
 
     def chi(self, patches=None):
         """V - E + F of the surface, or of these patches with all their sides and corners."""

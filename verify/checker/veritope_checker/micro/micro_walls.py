@@ -48,6 +48,12 @@ def lies_in_face(grid, wall, volumes):
     knots = volumes[grid.volume].knots[wall // 2]
     return grid.breaks[wall // 2][-(wall % 2)] == knots[-(wall % 2)]
 
+def face_of_wall(grid, cell, wall, volumes):
+    """The number of the face of the volume in which a wall of a cell lies, or None."""
+    axis, end = wall // 2, wall % 2
+    at_end = grid.index(cell)[axis] == end * (grid.counts[axis] - 1)
+    return 6 * grid.volume + wall if at_end and lies_in_face(grid, wall, volumes) else None
+
 def border(grid, wall):
     """The cells at an end of the grid."""
     axis = wall // 2

@@ -72,17 +72,17 @@ def read_model(data, readers=None, others=OTHER_KINDS):
     """The entities: what the reader of its kind makes of each, None for the other kinds."""
     return entities_of(read_json(data), readers or {"surface": read_surface, "triangle": read_triangle}, others)
 
-def read_json(data):
-    """The value that the text has in Python; its numbers are integers of at most 15 characters."""
+def short_integer(text):
+    if len(text) > 15:
+        raise Refused("too large: %s" % text[:20])
+    return int(text)
+
+def read_json(data, integer=short_integer):
+    """The value that the text has in Python; its numbers are integers, by default of at most 15 characters."""
     def unique(pairs):
         if len(dict(pairs)) != len(pairs):
             raise Refused("a key twice")
         return dict(pairs)
-
-    def integer(text):
-        if len(text) > 15:
-            raise Refused("too large: %s" % text[:20])
-        return int(text)
 
     def no_number(text):
         raise Refused("%s is no string" % text[:20])

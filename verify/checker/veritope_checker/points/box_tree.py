@@ -57,6 +57,23 @@ class BoxTree:
                 found += [f for f in left if not misses(boxes[f])]
         return found
 
+    def meeting(self, box, see=lambda: None):
+        """The numbers of the boxes that have a point in common with this one; see() is called for each."""
+        x0, x1, y0, y1, z0, z1 = box
+        nodes, boxes, stack = self.nodes, self.boxes, [0]
+        while stack:
+            (a, b, c, d, e, f), left, right = nodes[stack.pop()]
+            if a > x1 or b < x0 or c > y1 or d < y0 or e > z1 or f < z0:
+                continue
+            if right is not None:
+                stack += (left, right)
+                continue
+            for n in left:
+                a, b, c, d, e, f = boxes[n]
+                if not (a > x1 or b < x0 or c > y1 or d < y0 or e > z1 or f < z0):
+                    see()
+                    yield n
+
     def near(self, floors, ceilings, direction):
         """(triangles whose closed boxes contain the point, triangles that the ray may stab, size of the union)"""
         u = direction // 2

@@ -135,7 +135,8 @@ def test_r2(bridge, side, model, tiles, glued):
     if glued.masks[glued.base[bridge.grid] + bridge.cell] >> caps[0] & 1:
         raise Reject("R2", "its cap is equal to another one")
     patch = tile.patches[tile.caps[caps[0]][1][0]]
-    if key_of(cap_points(grid, bridge, patch, side), patch.degrees) != key_of(bridge.of_list(0), bridge.degrees):
+    cap, first = cap_points(grid, bridge, patch, side), bridge.of_list(0)
+    if cap != first and key_of(cap, patch.degrees) != key_of(first, bridge.degrees):
         raise Reject("R2", "its list 0 is not the cap")
 
 def cap_points(grid, bridge, patch, side):

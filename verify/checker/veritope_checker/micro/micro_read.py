@@ -53,7 +53,7 @@ class Patch:
         self.wall, self.degrees, self.lists = wall, degrees, lists
 
 class Microstructure:
-    """cage: volumes; grids; tiles: (range or None, patches) each; bridges. Of materials nothing is kept."""
+    """cage: volumes; grids; tiles: (range or None, patches) each; bridges. Materials are checked, not kept."""
 
     def __init__(self, data):
         top = typed(read_json(data, integer), dict)
@@ -147,8 +147,8 @@ def read_patch(patch):
     p, q = [whole(d, 1, MAX_DEGREE) for d in a_list(degrees, 2, 2)]
     n = (p + 1) * (q + 1)
     a_list(lists, 1, MAX_LISTS if wall is not None else 1)
-    return Patch(wall, (p, q), [[[coordinate(c, MAX_BITS) for c in a_list(point, 3, 3)] for point in a_list(points, n, n)]
-                                for points in lists])
+    return Patch(wall, (p, q), [[[coordinate(c, MAX_BITS) for c in a_list(point, 3, 3)]
+                                 for point in a_list(points, n, n)] for points in lists])
 
 def read_cells(grid, strings, num_tiles):
     """A byte for each cell."""

@@ -37,7 +37,7 @@ def boxes_of_slices(bridge, cuts):
     return boxes
 
 def hull_of(*boxes):
-    """Of boxes as [(least, greatest) of each coordinate]."""
+    """The least box that contains these; a box is [(least, greatest) of each coordinate]."""
     return [(min(lo for lo, _ in of_axis), max(hi for _, hi in of_axis)) for of_axis in zip(*boxes)]
 
 def are_apart(box, other):
@@ -60,6 +60,8 @@ class Slices:
         self.most_pairs = FREE_PAIRS + PAIRS_OF_BRIDGE * len(model.bridges)
         for grid in model.grids:
             self.of_grids.setdefault(grid.volume, []).append(grid)
+        self.trees = {volume: BoxTree([outward([(b[0], b[-1]) for b in grid.breaks]) for grid in grids])
+                      for volume, grids in self.of_grids.items()}
 
     def add(self, bridge, cuts):
         self.num_boxes += len(cuts) + 1
@@ -75,7 +77,7 @@ class Slices:
     # ------------------------------------------------------------ R3
 
     def test_r3(self, bridge, side):
-        """Of the bridge that was added last.  side: OtherSide, or None where R2 is not tested."""
+        """Tests the bridge that was added last.  side: OtherSide, or None where R2 is not tested."""
         knots = self.model.cage[bridge.volume].knots
         for k in (1, 2):
             for point in bridge.of_list(k):
@@ -85,10 +87,15 @@ class Slices:
                     raise Reject("R3", "a point of list %d is not beyond the wall" % k)
         own = side and not side.in_face and (self.model.grids[bridge.grid], bridge.cell)
         for n, box in enumerate(self.boxes[-1]):
-            for grid in self.of_grids.get(bridge.volume, ()):
+            for grid in self.grids_near(bridge.volume, box):
                 for cell in self.cells_near(grid, box):
                     if not (n == 0 and own and own[0] is grid and own[1] == cell):
                         raise Reject("R3", "slice %d meets cell %d of a grid, which holds a tile" % (n, cell))
+
+    def grids_near(self, volume, box):
+        if volume in self.trees:
+            for n in self.trees[volume].meeting(outward(box)):
+                yield self.of_grids[volume][n]
 
     def cells_near(self, grid, box):
         """The cells that hold a tile and have a point in common with the box."""
@@ -96,12 +103,9 @@ class Slices:
         for breaks, (lo, hi) in zip(grid.breaks, box):
             first = max(0, bisect_left(breaks, lo) - 1)
             ranges.append(range(first, min(len(breaks) - 1, bisect_right(breaks, hi))))
-        if not all(ranges):
-            self.see("R3", 1)
-            return
         along = ranges[2]
         self.see("R3", len(ranges[0]) * len(ranges[1]) * (1 + len(along) // CELLS_OF_UNIT))
-        for i, j in product(*ranges[:2]):
+        for i, j in product(*ranges[:2]) if along else ():
             start = (i * grid.counts[1] + j) * grid.counts[2] + along[0]
             row = grid.cells[start:start + len(along)]
             if any(row):

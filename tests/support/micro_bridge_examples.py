@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""Microstructures with bridges, and with tiles that star boxes prove, with their certificates, whatever they say: tests only."""
+import copy
+import functools
+import itertools
+import json
+import pathlib
+import sys
+from fractions import Fraction as Q
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "checker_py"))
+import micro_examples as examples                         # noqa: E402
+import star_box_2_forge as forge2                         # noqa: E402
+import star_box_forge as forge                            # noqa: E402
+
+OTHERS = examples.OTHERS
+
+
+# ---------------------------------------------------------------- tiles of voxels
+
+FIRST_SECOND = ((1, 2), (2, 0), (0, 1))                   # the axes in a face across each axis, so that with it they are right-handed
+
+
+def voxel_tile(n, voxels, name="voxels"):
+    """The union of these cubes of the lattice n x n x n, a patch for each square of its surface, range null. Patch k starts anywhere."""
+    voxels, vertices, quads = set(voxels), {}, []
+    for v in sorted(voxels):
+        for axis, end in itertools.product(range(3), (0, 1)):
+            beside = tuple(x + (2 * end - 1 if a == axis else 0) for a, x in enumerate(v))
+            if beside in voxels:
+                continue
+            first, second = FIRST_SECOND[axis][::1 if end else -1]
+            quad = []
+            for i, j in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                corner = list(v)
+                corner[axis] += end
+                corner[first] += i
+                corner[second] += j
+                quad.append(tuple(corner))
+                vertices[quad[-1]] = None, tuple(Q(x, n) for x in corner), (0, 0, 0)
+            quads.append(tuple(quad))
+    return examples.Tile(vertices, quads, None, name=name)
+
+
+U_SHAPE = [(0, 1, 2), (1, 1, 2), (2, 1, 2), (3, 1, 2), (3, 2, 2), (3, 3, 2), (2, 3, 2), (1, 3, 2), (0, 3, 2)]
+RING = [(i, j, 2) for i in (1, 2, 3) for j in (1, 2, 3) if (i, j) != (2, 2)]
+
+
+class Boxes:
+    """Proof 1 of a tile. plan: of star_box_2_forge.py."""
+
+    def __init__(self, plan):
+        self.plan = plan
+
+    def body(self):
+        made = self.plan if isinstance(self.plan, bytes) else self.plan.body()
+        return b"\1" + forge.u32(len(made)) + made
+
+
+def surfaces_of(tile):
+    found = []
+    for _, (p, q), lists in tile.patches:
+        found.append(forge.surface([lists[0][i * (q + 1):(i + 1) * (q + 1)] for i in range(p + 1)], (p, q)))
+    return found
+
+
+def boxes_of(tile, flags=None):
+    """A proof by star boxes, found in the tests' own way."""
+    return Boxes(forge2.Prover2(surfaces_of(tile), flags=flags, search=True).prove().plan)
+
+
+@functools.lru_cache(None)
+def voxels_proved(n, voxels):
+    tile = voxel_tile(n, voxels)
+    return tile, boxes_of(tile)
+
+
+# ---------------------------------------------------------------- bridges
+
+class Bridge:
+    """points: {(i, j, k): point}"""
+
+    def __init__(self, grid, cell, wall, volume, degrees, points, matrix=None, cuts=()):
+        self.grid, self.cell, self.wall, self.volume, self.degrees, self.points = grid, cell, wall, volume, degrees, dict(points)
+        self.matrix, self.cuts = matrix or inverse(jacobian(self.points, degrees)), list(cuts)
+
+    def changed(self, **fields):
+        new = copy.copy(self)
+        new.points = dict(self.points)
+        for key, value in fields.items():
+            setattr(new, key, value)
+        return new
+
+    def order(self):
+        p, q = self.degrees
+        return itertools.product(range(p + 1), range(q + 1), range(3))
+
+    def moved(self, k, move):
+        """With the points of list k replaced by move(point)."""
+        return self.changed(points={at: tuple(move(point)) if at[2] == k else point for at, point in self.points.items()})
+
+    def json(self):
+        return json.dumps({"grid": self.grid, "cell": self.cell, "wall": self.wall, "volume": self.volume, "degrees": list(self.degrees),
+                           "points": [[str(c) for c in self.points[at]] for at in self.order()]})
+
+    def hint(self):
+        return b"".join([*(forge.rational(c) for row in self.matrix for c in row), bytes([len(self.cuts) + 1]), *map(forge.rational, self.cuts)])
+
+
+def jacobian(points, degrees):
+    """The differences along the three axes at a corner, as columns."""
+    steps = [tuple(b - a for a, b in zip(points[0, 0, 0], points[at])) for at in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    return [list(row) for row in zip(*steps)]
+
+
+def inverse(m):
+    """The inverse of a matrix; the unit matrix if it does not exist."""
+    rows = [[Q(c) for c in row] + [Q(i == j) for j in range(3)] for i, row in enumerate(m)]
+    for c in range(3):
+        pivot = next((r for r in range(c, 3) if rows[r][c]), None)
+        if pivot is None:
+            return [[Q(i == j) for j in range(3)] for i in range(3)]
+        rows[c], rows[pivot] = rows[pivot], rows[c]
+        rows[c] = [x / rows[c][c] for x in rows[c]]
+        for r in range(3):
+            if r != c:
+                rows[r] = [x - rows[r][c] * y for x, y in zip(rows[r], rows[c])]
+    return [row[3:] for row in rows]
+
+
+def straight(plan, grid, cell, wall, end, across=None, cuts=()):
+    """A bridge from the wall's first cap of one patch to the plane in which the coordinate across the wall is `end`. across: brings points from
+    the parameters of the cell's volume to those of the other side: (volume, axis, map)."""
+    tile, numbers = plan.tiles[plan.cells[grid][cell]], plan.numbers(grid, cell)
+    n = tile.caps(wall)[0]
+    driver, (p, q), lists = tile.patches[n]
+    t = Q(numbers[driver], examples.UNIT) if driver is not None else Q(0)
+    points = [tuple(sum(c * t ** k for k, c in enumerate(values)) for values in zip(*at)) for at in zip(*lists)]
+    points = [plan.parameters(grid, cell, point) for point in points]
+    volume, axis, place = across or (plan.grids[grid][0], wall // 2, lambda point: point)
+    first, found = [place(point) for point in points], {}
+    if is_left_handed(first, q, axis, end):
+        first, (p, q) = [first[i * (q + 1) + j] for j in range(q + 1) for i in range(p + 1)], (q, p)
+    for i, j, k in itertools.product(range(p + 1), range(q + 1), range(3)):
+        point = list(first[i * (q + 1) + j])
+        point[axis] += (Q(end) - point[axis]) * Q(k, 2)
+        found[i, j, k] = tuple(point)
+    return Bridge(grid, cell, wall, volume, (p, q), found, cuts=cuts)
+
+
+def is_left_handed(first, q, axis, end):
+    u, v = ([b - a for a, b in zip(first[0], first[n])] for n in (q + 1, 1))
+    a, b = [(axis + k) % 3 for k in (1, 2)]
+    return (u[a] * v[b] - u[b] * v[a]) * (end - first[0][axis]) < 0
+
+
+# ---------------------------------------------------------------- microstructures
+
+class Micro(examples.Micro):
+    """With bridges, materials (a text or None) and a proof for each tile: None for its centre and exit, or Boxes."""
+    no_bridges = None                                     # whether the empty list is written
+
+    def __init__(self, *args, bridges=(), materials=None, proofs=None):
+        super().__init__(*args)
+        self.bridges, self.materials, self.proofs = list(bridges), materials, proofs or [None] * len(self.tiles)
+
+    def changed(self, **fields):
+        new = copy.copy(self)
+        new.made, new.hints, new.values, new.bridges, new.proofs = None, list(self.hints), dict(self.values), list(self.bridges), list(self.proofs)
+        for key, value in fields.items():
+            setattr(new, key, value)
+        return new
+
+    def text(self):
+        if self.made is None:
+            text = super().text()[:-2]
+            if self.bridges or self.no_bridges:
+                text += (",\n\"bridges\": [%s]" % ",\n".join(bridge.json() for bridge in self.bridges)).encode()
+            if self.materials is not None:
+                text += (",\n\"materials\": %s" % self.materials).encode()
+            self.made = text + b"}\n"
+        return self.made
+
+    def body(self):
+        out = [self.magic, forge.u32(len(self.tiles) if self.count is None else self.count), forge.u32(len(self.bridges))]
+        for (centre, exit), proof in zip(self.hints, self.proofs):
+            out.append(proof.body() if proof else b"\0" + b"".join(map(forge.rational, centre)) + forge.varint(exit))
+        return b"".join(out + [bridge.hint() for bridge in self.bridges]) + self.cage.body() + self.tail
+
+    def truth(self):
+        return {**super().truth(), "bridges": len(self.bridges)}

@@ -8,8 +8,9 @@ from .common.statement import HEX64, keys_of
 # magic: the first bytes of the body.  keys: of the statement, besides those that every statement has.  module: its
 # check(claim, statement, body, model, skip) raises Refused or Reject, or the claim holds; the result is what is said
 # about it, or None.  about_answers: the claim is about a third file, too, whose bytes are one more argument of check(),
-# before (name of the model, function that reads the file of a name).
-Claim = namedtuple("Claim", "name magic formats keys module about_answers", defaults=(False,))
+# before (name of the model, function that reads the file of a name).  about_model: the same for the bytes of a second
+# model, alone.
+Claim = namedtuple("Claim", "name magic formats keys module about_answers about_model", defaults=(False, False))
 
 MESHES = ("stl", "obj", "ply", "off")
 SPLINES = ("vjson", "itd", "g2", "mfem", "vjson-faces", "itd-faces", "g2-faces", "mfem-faces")
@@ -26,6 +27,9 @@ OF_VMODELS = {name: int for name in (
 V_FINDINGS = "flat|left-handed|singular|overlap|curve-nonmanifold|point-nonmanifold"
 OF_MICROSTRUCTURES = {name: int for name in (
     "cells", "tiles", "bridges", "glued_caps", "components", "shells", "genus")}
+A_RATIO = r"[0-9]{1,100}(/(?!0+\Z)[0-9]{1,100})?"
+OF_INSIDES = {**OF_MICROSTRUCTURES, **OF_MESHES, "model_sha256": HEX64, "model_bytes": int,
+              "model_format": "|".join(MESHES), "skin": "-|" + A_RATIO}
 OF_STARS = {**OF_PATCHES, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}
 
 CLAIMS = {claim.name: claim for claim in (
@@ -47,6 +51,7 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("vmodel-1", b"VTVM", VOLUMES, OF_VMODELS, "vmodel.vmodel_check"),
     Claim("vmodel-invalid-1", b"VTVI", VOLUMES, {"finding": V_FINDINGS, "cells": int}, "vmodel.vmodel_invalid_check"),
     Claim("microstructure-1", b"VTMS", ("vmicro",), OF_MICROSTRUCTURES, "micro.micro_check"),
+    Claim("micro-inside-1", b"VTIM", ("vmicro",), OF_INSIDES, "micro.inside_check", about_model=True),
 )}
 
 def lines():

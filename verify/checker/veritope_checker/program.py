@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""veritope_check.py MODEL CERT [ANSWERS]: does this certificate prove its claim about this model?
+"""veritope_check.py MODEL CERT [ANSWERS] [--model M]: does this certificate prove its claim about this model?
 
 Written from docs/certificates/ and docs/formats/spline-json.md alone.  Python 3.9 or later, standard library only: the
 file veritope_check.py and the folder veritope_checker beside it; copy both where you need them.
 
-ANSWERS is the file with the answers that a certificate of points-1 is about; other claims have no such file.
+ANSWERS is the file with the answers that a certificate of points-1 is about, M the mesh that a certificate of
+micro-inside-1 is about; other claims have no such file.
 
 Prints `ACCEPT <claim>` (exit 0) or `REJECT <condition>: <why>` (exit 1).  Exit 2: usage; 3: out of
 memory; 4: a file cannot be opened, the reading rule refuses the model, or the answer cannot be
@@ -22,12 +23,13 @@ from .common.statement import read_statement
 
 VERSION = "veritope_check.py 1 (%s; reading rule v1)" % ", ".join(CLAIMS)
 
-def check(model_bytes, cert_bytes, answers=None, files=None):
+def check(model_bytes, cert_bytes, answers=None, files=None, second=None):
     """(exit code, line to print) for a model and a certificate given as bytes.  answers: the third file, or None.
-    files: the name of the model's file, and what reads the file of a name; for a model that names others."""
-    return _check(model_bytes, cert_bytes, frozenset(), answers, files)
+    files: the name of the model's file, and what reads the file of a name; for a model that names others.  second: the
+    file of --model, or None."""
+    return _check(model_bytes, cert_bytes, frozenset(), answers, files, second)
 
-def _check(model_bytes, cert_bytes, skip, answers=None, files=None):
+def _check(model_bytes, cert_bytes, skip, answers=None, files=None, second=None):
     """check() with some conditions disabled: for tests only, main() has no way to reach it."""
     try:
         statement, body = read_statement(CLAIMS, cert_bytes, model_bytes)
@@ -35,12 +37,16 @@ def _check(model_bytes, cert_bytes, skip, answers=None, files=None):
         if claim.about_answers != (answers is not None):
             return 2, "ERROR: a certificate of %s needs %s" % (
                 claim.name, "its answers file as the third argument" if claim.about_answers else "no third argument")
+        if claim.about_model != (second is not None):
+            return 2, "ERROR: a certificate of %s needs %s" % (
+                claim.name, "its mesh as --model" if claim.about_model else "no --model")
         try:
             module = importlib.import_module("." + claim.module, __package__)
         except ImportError as e:
             name = claim.module.split(".")[-1]
             return 4, "ERROR: the files of %s.py are not beside veritope_check.py: %s" % (name, e)
         about = () if answers is None else (answers, files or ("", read_named))
+        about += () if second is None else (second,)
         said = module.check(claim, statement, body, model_bytes, skip, *about)
     except Refused as e:
         return 4, "ERROR: the model is refused: %s" % e
@@ -79,19 +85,28 @@ def main(argv):
         return say(VERSION, 0)
     if argv[1:] == ["--claims"]:
         return say("\n".join(lines()), 0)
-    if len(argv) not in (3, 4) or any(a.startswith("--") for a in argv[1:]):
-        print("usage: veritope_check.py MODEL CERT [ANSWERS]", file=sys.stderr)
+    names, second = without_model(argv[1:])
+    if len(names) not in (2, 3) or any(a.startswith("--") for a in names + second):
+        print("usage: veritope_check.py MODEL CERT [ANSWERS] [--model M]", file=sys.stderr)
         return 2
     try:
-        data = [read_file(name) for name in argv[1:]]
+        data = [read_file(name) for name in names + second]
         if None in data:
-            return say("ERROR: %s: is not a regular file" % argv[1 + data.index(None)], 4)
+            return say("ERROR: %s: is not a regular file" % (names + second)[data.index(None)], 4)
     except OSError as e:
         return say("ERROR: %s" % e, 4)
     except MemoryError:
         return say("ERROR: out of memory", 3)
-    code, message = check(data[0], data[1], data[2] if len(data) > 2 else None, (argv[1], read_named))
+    answers = data[2] if len(names) == 3 else None
+    code, message = check(data[0], data[1], answers, (argv[1], read_named), data[-1] if second else None)
     return say(message, code)
+
+def without_model(arguments):
+    """(the arguments without --model M, [M] or []).  The option follows MODEL CERT; elsewhere it is left in place."""
+    if "--model" in arguments[2:-1]:
+        at = arguments.index("--model", 2)
+        return arguments[:at] + arguments[at + 2:], [arguments[at + 1]]
+    return arguments, []
 
 def say(message, code):
     """Prints the answer; the exit code. An answer that cannot be printed does not count."""

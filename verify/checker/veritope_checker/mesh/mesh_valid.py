@@ -17,6 +17,13 @@ def check(claim, statement, body, model, skip):
 
 def prove(cert, mesh, statement, found, skip):
     """Tests V1 to V11.  found: quantities that are known already."""
+    found = {**found, **proved(cert, mesh, skip).quantities}
+    for key in sorted(found):
+        if statement[key] != found[key] and "V11" not in skip:
+            raise Reject("V11", "%s: stated %s, computed %s" % (key, statement[key], found[key]))
+
+def proved(cert, mesh, skip):
+    """Tests V1 to V10; returns the Nesting, with the quantities and the depths of shells."""
     for condition, holds in (("V1", v1_order), ("V2", v2_distinct), ("V3", v3_not_degenerate),
                              ("V4", v4_edges), ("V5", v5_no_duplicates), ("V6", v6_one_cycle),
                              ("V7", v7_stars)):
@@ -25,10 +32,9 @@ def prove(cert, mesh, statement, found, skip):
             raise Reject(condition, why)
     walk = Walk(cert, mesh, skip)
     walk.run()                                                                  # V8, V9
-    found = {**found, **Nesting(cert, mesh, walk, skip).quantities()}           # V10
-    for key in sorted(found):
-        if statement[key] != found[key] and "V11" not in skip:
-            raise Reject("V11", "%s: stated %s, computed %s" % (key, statement[key], found[key]))
+    nesting = Nesting(cert, mesh, walk, skip)
+    nesting.test()                                                              # V10
+    return nesting
 
 class ValidBody:
     """Reads the fields of section 3 after F and V: B1."""
@@ -309,15 +315,16 @@ class Nesting:
             self.fail("the ray from vertex %d starts in triangle %d" % (v, f))
         return sign(t) == (-sign(mesh.normals[f][u]) if minus else sign(mesh.normals[f][u]))
 
-    def quantities(self):
-        depths = []
+    def test(self):
+        self.depths = depths = []
         for s, volume in enumerate(self.six_volumes):
             depths.append(self.depth(s))
             if sign(volume) != (-1 if depths[s] % 2 else 1):
                 self.fail("shell %d of depth %d has no volume or the wrong side out" % (s, depths[s]))
         num_vertices, num_faces = sum(map(len, self.vertices)), len(self.mesh.triangles)
         volume = Fraction(sum(self.six_volumes), 6) * self.mesh.unit ** 3
-        return {"vertices": sum(1 for fan_at_v in self.mesh.fans if fan_at_v),
+        self.quantities = {
+                "vertices": sum(1 for fan_at_v in self.mesh.fans if fan_at_v),
                 "edges": self.cert.edges, "faces": num_faces, "shells": len(depths),
                 "bodies": sum(1 for depth in depths if depth % 2 == 0),
                 "genus": (2 * len(depths) - num_vertices + self.cert.edges - num_faces) // 2,

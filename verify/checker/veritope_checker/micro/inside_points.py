@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""Points of a microstructure and of voids in a mesh (docs/certificates/micro-inside.md, sections 4 and 5): I2 and I3.
+All numbers are exact."""
+from bisect import bisect_left, bisect_right
+from collections import namedtuple
+from fractions import Fraction
+from itertools import product
+from math import inf
+
+from ..common.errors import Reject
+from ..points.box_tree import BoxTree
+from ..points.points_check import Point
+from .micro_slices import are_apart, hull_of, outward
+from .micro_tile import is_missed
+
+FREE_OF_TRIANGLE, UNITS_OF_POINT = 100, 1000
+FREE_VISITED, VISITED_OF_VOID = 1 << 22, 64
+NO_CORNER = 8
+
+# An entry of the body. x: in the parameters of the volume; corner: from 0 to 8.
+Void = namedtuple("Void", "volume x corner")
+
+# ---------------------------------------------------------------- points in space
+
+def image(volume, parameters):
+    """The point of the volume's map."""
+    axes = [span_of(p, knots, t) for p, knots, t in zip(volume.degrees, volume.knots, parameters)]
+    points = {at: volume.at(*at) for at in product(*[range(k - p, k + 1) for k, p in zip(axes, volume.degrees)])}
+    for axis, (p, knots, t, k) in enumerate(zip(volume.degrees, volume.knots, parameters, axes)):
+        lines = {}
+        for at in sorted(points):
+            lines.setdefault(at[1:], []).append(points[at])
+        # The first axis is done and leaves; the next one is the first.
+        points = {at: evaluated(p, knots, t, k, line) for at, line in lines.items()}
+    x, y, z, w = points[()]
+    return x / w, y / w, z / w
+
+def span_of(p, knots, t):
+    return bisect_right(knots, t, p, len(knots) - p - 1) - 1
+
+def evaluated(p, knots, t, k, line):
+    """De Boor's scheme."""
+    for r in range(1, p + 1):
+        for j in range(p, r - 1, -1):
+            lo, hi = knots[k - p + j], knots[k + 1 + j - r]
+            s = (t - lo) / (hi - lo)
+            line[j] = [(1 - s) * a + s * b for a, b in zip(line[j - 1], line[j])]
+    return line[p]
+
+class Winding:
+    """Winding numbers of the mesh.  tree: of the boxes of its triangles in binary64."""
+
+    def __init__(self, mesh, tree):
+        self.mesh, self.tree, self.units = mesh, tree, 0
+
+    def at(self, point):
+        """(Point, the triangles that the ray along the first axis may stab)"""
+        x, _, y, _, z, _ = low = outward([(c, c) for c in point])
+        found = list(self.tree.meeting((x, inf, *low[2:])))
+        self.units += len(found)
+        return Point([(c.numerator, c.denominator) for c in point], self.mesh.unit, self.mesh.points,
+                     self.mesh.triangles), found
+
+# ---------------------------------------------------------------- I2
+
+def test_i2(model, tiles, glued, winding):
+    firsts = list(glued.first_patches())
+    most = FREE_OF_TRIANGLE * len(winding.mesh.triangles) + UNITS_OF_POINT * len(firsts)
+    for cell, patch in firsts:
+        n = bisect_right(glued.base, cell) - 1
+        at, near = winding.at(image_of_corner(model, tiles, model.grids[n], cell - glued.base[n], patch))
+        if winding.units > most:
+            raise Reject("I2", "the rays from points of shells pass too many triangles")
+        number = at.winding(near, 0)
+        if number != 1:
+            raise Reject("I2", "the winding number around a point of the shell at patch %d of cell %d of grid %d is %d"
+                         % (patch, cell - glued.base[n], n, number))
+
+def image_of_corner(model, tiles, grid, cell, patch):
+    """The image of S(0, 0)."""
+    patch = tiles[grid.cells[cell] - 1].patches[patch]
+    point = at_cell(grid, patch, cell)[0]
+    ends = [b[i:i + 2] for b, i in zip(grid.breaks, grid.index(cell))]
+    return image(model.cage[grid.volume], [lo + (hi - lo) * c for c, (lo, hi) in zip(point, ends)])
+
+def at_cell(grid, patch, cell):
+    """The points of a patch, in the unit cube, with the numbers of the cell."""
+    return patch.at_number(0 if patch.wall is None else grid.number(cell, patch.wall))
+
+
+# ---------------------------------------------------------------- I3
+
+class Voids:
+    """depths: of the shells of the mesh; shell_of: of each triangle."""
+
+    def __init__(self, model, tiles, winding, shell_of, depths):
+        self.model, self.tiles, self.winding, self.shell_of, self.depths = model, tiles, winding, shell_of, depths
+        self.visited, self.bridges = 0, {}
+
+    def test(self, entries):
+        voids = [shell for shell, depth in enumerate(self.depths) if depth % 2 == 1]
+        if len(voids) != len(entries):
+            raise Reject("I3", "%d entries for %d voids" % (len(entries), len(voids)))
+        self.winding.units = 0
+        most = FREE_OF_TRIANGLE * len(self.shell_of) + UNITS_OF_POINT * len(voids)
+        for number, (shell, entry) in enumerate(zip(voids, entries)):
+            why = self.why_in_bridge(entry) or self.why_in_tile(entry) or self.why_elsewhere(entry, shell)
+            if why:
+                raise Reject("I3", "entry %d: %s" % (number, why))
+            if self.winding.units > most or self.visited > FREE_VISITED + VISITED_OF_VOID * len(voids):
+                raise Reject("I3", "the entries of voids take too much work")
+
+    def why_in_bridge(self, entry):
+        knots = self.model.cage[entry.volume].knots
+        if not all(t[0] < c < t[-1] for c, t in zip(entry.x, knots)):
+            return "the point is not inside of the volume's parameters"
+        if entry.volume not in self.bridges:
+            hulls = [hull_of(*[[(c, c) for c in point] for point in bridge.points])
+                     for bridge in self.model.bridges if bridge.volume == entry.volume]
+            self.bridges[entry.volume] = hulls, BoxTree(list(map(outward, hulls))) if hulls else None
+        hulls, tree = self.bridges[entry.volume]
+        at = [(c, c) for c in entry.x]
+        if hulls and not all(are_apart(hulls[n], at) for n in tree.meeting(outward(at))):
+            return "the point is in the box of a bridge"
+
+    def why_in_tile(self, entry):
+        for grid in self.model.grids:
+            if grid.volume == entry.volume:
+                near = [cell for cell in cells_at(grid, entry.x) if grid.cells[cell]]
+                if near and entry.corner == NO_CORNER:
+                    return "the point is in a cell that holds a tile"
+                for cell in near:
+                    ends = [b[i:i + 2] for b, i in zip(grid.breaks, grid.index(cell))]
+                    if all(lo < c < hi for c, (lo, hi) in zip(entry.x, ends)):
+                        return self.why_behind(grid, cell, [(c - lo) / (hi - lo) for c, (lo, hi) in zip(entry.x, ends)],
+                                               [Fraction(entry.corner >> a & 1) for a in range(3)])
+        if entry.corner != NO_CORNER:
+            return "the point is in no open cell that holds a tile"
+
+    def why_behind(self, grid, cell, start, end):
+        """start, end: in the unit cube."""
+        visited = [0]
+        for n, patch in enumerate(self.tiles[grid.cells[cell] - 1].patches):
+            if not is_missed(at_cell(grid, patch, cell), patch.degrees, start, end, visited):
+                return "patch %d may meet the box of the point and the corner" % n
+        self.visited += visited[0]
+
+    def why_elsewhere(self, entry, shell):
+        at, near = self.winding.at(image(self.model.cage[entry.volume], entry.x))
+        on, around = [f for f in near if at.is_on(f)], {}
+        if on:
+            return "the point is on triangle %d" % on[0]
+        for f in near:
+            around.setdefault(self.shell_of[f], []).append(f)
+        inside = {other for other, triangles in around.items() if at.winding(triangles, 0)}
+        if shell not in inside or len(inside) != self.depths[shell] + 1:
+            return "the point is inside of %d shells of the mesh%s" % (
+                len(inside), "" if shell in inside else ", and not of the void")
+
+def cells_at(grid, point):
+    """The closed cells that contain the point."""
+    ranges = []
+    for breaks, c in zip(grid.breaks, point):
+        ranges.append(range(max(0, bisect_left(breaks, c) - 1), min(len(breaks) - 1, bisect_right(breaks, c))))
+    for i, j, k in product(*ranges):
+        yield (i * grid.counts[1] + j) * grid.counts[2] + k

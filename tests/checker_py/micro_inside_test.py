@@ -18,6 +18,7 @@ import micro_bridge_examples as bridged                   # noqa: E402
 import micro_examples as examples                         # noqa: E402
 import micro_inside_examples as insides                   # noqa: E402
 from veritope_checker import program                      # noqa: E402
+from veritope_checker.mesh import mesh_model              # noqa: E402
 from veritope_checker.patches.model_subject import read_volumes    # noqa: E402
 from veritope_checker.micro import inside_mesh, inside_nodes, inside_points, inside_space    # noqa: E402
 
@@ -86,6 +87,11 @@ class InsideTest(unittest.TestCase):
             mesh = move(CUBE, (float(-gap),) * 3, float(1 + 2 * gap))
             self.says("ACCEPT", insides.Inside(block(2), mesh))
         self.dies_by("I1", insides.Inside(block(2), CUBE))
+
+    def test_a_mesh_far_away(self):
+        for size in (1e30, 1e120, 1e300):
+            self.says("ACCEPT", insides.Inside(with_bridges(small()), move(CUBE, (-size,) * 3, 2 * size), skin="9" * 100 if size == 1e30 else "1"),
+                      () if size == 1e30 else ("I4",))
 
     def test_bridges_to_the_skin(self):
         plan = with_bridges(small(), Q(1, 8))
@@ -305,7 +311,7 @@ class BoundsTest(unittest.TestCase):
     def test_boxes_contain_images(self):
         rng = random.Random(6)
         for m, volume in self.spaces():
-            space = inside_space.Space(volume, 1.)
+            space = inside_space.Space(volume)
             for _ in range(20):
                 ends = [sorted(rng.choice((Q(rng.randrange(1001), 1000), Q(rng.randrange(9), 8))) for _ in range(2)) for _ in range(3)]
                 box = [float(c) for pair in ends for c in pair]
@@ -332,6 +338,23 @@ class BoundsTest(unittest.TestCase):
                     exact = of_bernstein(points, sizes, at)
                     self.assertTrue(all(Q(node.box[2 * a]) <= exact[a] <= Q(node.box[2 * a + 1]) for a in range(3)))
 
+    def test_what_is_apart(self):
+        """A triangle that is called apart is so by one of the seven vectors; one that is far from it is called apart."""
+        rng, found = random.Random(9), [0, 0]
+        for _ in range(400):
+            corners = [tuple(rng.randrange(-8, 9) / 8 for _ in range(3)) for _ in range(3)]
+            if not any(cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]))):
+                continue
+            triangles = inside_mesh.Triangles(mesh_model.Mesh(corners, [(0, 1, 2)]))
+            at, size = [rng.randrange(-8, 9) / 8 for _ in range(3)], rng.choice((1 / 64, 1 / 8, 1 / 2))
+            points = [tuple(c + size * rng.randrange(-4, 5) / 4 for c in at) for _ in range(8)]
+            left = triangles.not_apart(inside_space.Points(*map(list, zip(*points)), 1e-15), [0])
+            distance = gap(points, corners)
+            self.assertFalse(not left and distance <= 0, (points, corners))
+            self.assertFalse(left and distance > 1e-9, (points, corners))
+            found[bool(left)] += 1
+        self.assertGreater(min(found), 40)
+
     def test_distances_from_triangles(self):
         rng = random.Random(8)
         for _ in range(300):
@@ -355,12 +378,29 @@ def of_bernstein(points, sizes, at):
     return values[()]
 
 
+def minus(x, y):
+    return [s - t for s, t in zip(x, y)]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def gap(points, corners):
+    """The greatest gap between the points and the corners along one of the seven vectors, exactly; positive if they are apart."""
+    points, corners = ([[Q(x) for x in q] for q in group] for group in (points, corners))
+    a, b, c = corners
+    n = cross(minus(b, a), minus(c, a))
+    found = []
+    for d in ([1, 0, 0], [0, 1, 0], [0, 0, 1], n, *[cross(n, minus(q, p)) for p, q in ((a, b), (b, c), (c, a))]):
+        ours, theirs = ([sum(s * t for s, t in zip(d, q)) for q in group] for group in (points, corners))
+        found.append(max(min(ours) - max(theirs), min(theirs) - max(ours)))
+    return max(found)
+
+
 def squared_distance(p, corners):
     """The exact number for integers: the least of those from the plane, sides and corners that belong to points of the triangle."""
     p, a, b, c = ([Q(x) for x in q] for q in (p, *corners))
-
-    def minus(x, y):
-        return [s - t for s, t in zip(x, y)]
 
     def dot(x, y):
         return sum(s * t for s, t in zip(x, y))

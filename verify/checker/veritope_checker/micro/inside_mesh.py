@@ -54,8 +54,8 @@ class Triangles:
         return found
 
     def margin(self, points):
-        """Of products with a vector whose components are at most 1: three coordinates with their errors, three products
-        and sums on each side."""
+        """Bounds the errors of two products of a point with a vector whose components are at most 1: three coordinates
+        with their errors, three products and sums on each side."""
         limit = max(self.greatest, *map(abs, points.box))
         return 3 * points.error + 64 * ULP * limit + TINY if limit < MAX_COORDINATE else inf
 

@@ -13,8 +13,8 @@ class Node:
     __slots__ = ("arrays", "sizes", "level", "box", "error", "kids")
 
     def __init__(self, arrays, sizes, level=0, error=2 * ULP):
-        """sizes: of the axes; the first one is the slowest, and the next to be halved.  error: of the coefficients and of
-        the ends of the box."""
+        """sizes: of the axes; the first one is the slowest, and the next to be halved.  error: of the coefficients and
+        of the ends of the box."""
         self.arrays, self.sizes, self.level, self.error, self.kids = arrays, sizes, level, error, None
         x, y, z = arrays
         e = error + TINY

@@ -54,12 +54,17 @@ class Winding:
         self.mesh, self.tree, self.units = mesh, tree, 0
 
     def at(self, point):
-        """(Point, the triangles that the ray along the first axis may stab)"""
-        x, _, y, _, z, _ = low = outward([(c, c) for c in point])
-        found = list(self.tree.meeting((x, inf, *low[2:])))
+        """(Point, the triangles that it may lie on or that the ray along the first axis may stab)"""
+        (x, _, *across), boxes = outward([(c, c) for c in point]), self.tree.boxes
+        found = [f for f in self.tree.meeting((x, inf, *across)) if is_unit(boxes[f], *point)]
         self.units += len(found)
         return Point([(c.numerator, c.denominator) for c in point], self.mesh.unit, self.mesh.points,
                      self.mesh.triangles), found
+
+def is_unit(box, x, y, z):
+    """Does a triangle with this box count, for the direction 0, in section 5 of points.md?"""
+    x0, x1, y0, y1, z0, z1 = box
+    return x <= x1 and (y0 <= y < y1 and z0 <= z < z1 or x0 <= x and y0 <= y <= y1 and z0 <= z <= z1)
 
 # ---------------------------------------------------------------- I2
 

@@ -16,10 +16,10 @@ PAD = 4 * ULP                                               # for parameters, wh
 MAX_COORDINATE = 1e100                                      # beyond it nothing is claimed
 
 class Space:
-    """volume: of the cage; greatest: of the other coordinates, those of the mesh."""
+    """volume: of the cage."""
 
-    def __init__(self, volume, greatest):
-        self.volume, self.greatest, self.spans = volume, greatest, {}
+    def __init__(self, volume):
+        self.volume, self.spans = volume, {}
         self.knots = [sorted(set(t)) for t in volume.knots]
         self.places = [[float(self.in_unit(axis, t)) for t in knots] for axis, knots in enumerate(self.knots)]
 
@@ -29,7 +29,7 @@ class Space:
         return Fraction(t - first) / (last - first)
 
     def parts(self, box):
-        """Of a box (least, greatest for each axis) the Points for each span of knots that it meets."""
+        """The Points for each span of knots that the box (least, greatest for each axis) meets."""
         ranges = []
         for axis in range(3):
             places, lo, hi = self.places[axis], box[2 * axis] - PAD, box[2 * axis + 1] + PAD
@@ -61,7 +61,7 @@ class Span:
         self.sizes, self.rational = [p + 1 for p in volume.degrees], volume.rational
         self.ends = [space.places[axis][n:n + 2] for axis, n in enumerate(span)]
         self.net, least = scaled_net(net, self.rational)
-        greatest = max(space.greatest, *map(greatest_of, net[:3], [net[3]] * 3))
+        greatest = max(map(greatest_of, net[:3], [net[3]] * 3))
         # Rounded nets, three products with matrices whose entries are products of p factors, a quotient.
         factor = 16 + 12 * sum(volume.degrees)
         self.error = 2 * factor * ULP * greatest / least + TINY if greatest < MAX_COORDINATE else inf

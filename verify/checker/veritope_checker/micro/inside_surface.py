@@ -19,7 +19,7 @@ class Surface:
 
     def __init__(self, model, tiles, triangles):
         self.model, self.tiles, self.triangles = model, tiles, triangles
-        self.space_of = lru_cache(None)(lambda volume: Space(model.cage[volume], triangles.greatest))
+        self.space_of = lru_cache(None)(lambda volume: Space(model.cage[volume]))
         self.node_of_patch = lru_cache(KEPT)(self.node_of_patch)
         self.nodes = self.pairs = 0
         cells = b"".join(grid.cells for grid in model.grids)
@@ -71,9 +71,9 @@ class Surface:
             node, near = todo.pop()
             found = []
             for points in parts(node.box):
+                self.see("I1", 1, 0)
                 some = self.triangles.tree.meeting(points.box) if near is None else near
                 found += self.triangles.not_apart(points, some)
-            self.see("I1", 1, 0)
             if found:
                 if node.level == MAX_LEVEL:
                     return False
@@ -101,13 +101,12 @@ class Surface:
                 return False
             for points in space.parts(node.box):
                 found, count = self.triangles.within(points, distance)
-                self.see("I4", 0, count)
+                self.see("I4", 1, count)
                 if not found:
                     if node.level == MAX_SKIN_LEVEL:
                         return False
                     todo += node.halves()
                     break
-            self.see("I4", 1, 0)
         return True
 
 def in_unit(space, points):

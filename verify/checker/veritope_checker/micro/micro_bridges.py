@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Bridges (docs/certificates/microstructure.md, section 7): their order, R1 and R2; R3 and R4 are in micro_slices.py."""
+"""Bridges (docs/certificates/microstructure.md, section 7): their order, R1 and R2; micro_slices.py has R3 and R4."""
 from fractions import Fraction
 
 from ..common.errors import Reject

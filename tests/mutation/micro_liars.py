@@ -276,7 +276,6 @@ def told(lie, *skip):
     import veritope_checker.micro.micro_check as check
     from veritope_checker.common.errors import Reject
     from veritope_checker.micro.micro_read import Microstructure
-    from veritope_checker.patches.star_box_read import Body
 
     class OfTiles(check.Checker):
         def codes_of_cage(self):
@@ -285,7 +284,9 @@ def told(lie, *skip):
     statement = {"claim": "microstructure-1", "subject_bytes": len(text)}
     values = dict.fromkeys(examples.KEYS, 1)
     try:
-        values = OfTiles(statement, Body(body), Microstructure(text), frozenset(skip)).numbers()
+        checker = OfTiles(statement, body, Microstructure(text), frozenset(skip))
+        checker.test()
+        values = checker.numbers()
     except Reject:
         pass
     if any(v < 0 or v != int(v) for v in values.values()):

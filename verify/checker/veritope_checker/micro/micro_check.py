@@ -47,9 +47,13 @@ class Checker:
         self.glued = Glued(self.tiles, grids, meetings)
         test_bridges(self.model, self.cert.bridges, self.tiles, codes, self.glued, self.skip)
 
+    def numbers(self):
+        """Those of section 8, after test()."""
+        return {**self.glued.numbers(), "bridges": len(self.model.bridges)}
+
     def compare(self):
         """W3."""
-        for key, value in {**self.glued.numbers(), "bridges": len(self.model.bridges)}.items():
+        for key, value in self.numbers().items():
             if self.statement[key] != value:
                 self.fail("W3", "%s are %s, the statement says %d" % (key, value, self.statement[key]))
 

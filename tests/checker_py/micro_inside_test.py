@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """The Python checker of micro-inside-1. Each lie names the condition that rejects it, and most are accepted without that condition."""
 import itertools
+import json
 import pathlib
 import random
 import sys
@@ -20,7 +21,8 @@ import micro_inside_examples as insides                   # noqa: E402
 from veritope_checker import program                      # noqa: E402
 from veritope_checker.mesh import mesh_model              # noqa: E402
 from veritope_checker.patches.model_subject import read_volumes    # noqa: E402
-from veritope_checker.micro import inside_mesh, inside_nodes, inside_points, inside_space    # noqa: E402
+from veritope_checker.common.errors import Reject         # noqa: E402
+from veritope_checker.micro import inside_mesh, inside_nodes, inside_points, inside_space, inside_surface, micro_check, micro_read    # noqa: E402
 
 UNIT = examples.UNIT
 move, join, turned, CUBE = meshes.move, meshes.join, meshes.turned, meshes.CUBE
@@ -338,6 +340,38 @@ class BoundsTest(unittest.TestCase):
                     exact = of_bernstein(points, sizes, at)
                     self.assertTrue(all(Q(node.box[2 * a]) <= exact[a] <= Q(node.box[2 * a + 1]) for a in range(3)))
 
+    def test_cubes_at_random_places(self):
+        """I1 holds of no cube whose surface separates points of a part, and of each that is far from all points of a fine grid."""
+        rng, found = random.Random(10), [0, 0, 0]
+        for name in ("bent", "rational", "cube with breaks", "a ring"):
+            plan = vmodel_models.honest(name)
+            ends = [[t[0] + (t[-1] - t[0]) * Q(n, 4) for n in (1, 2)] for t in plan.maps[0].knots]
+            if name == "a ring":
+                ends[0] = sorted(set(plan.maps[0].knots[0]))[:2]
+            micro = bridged.Micro(plan, [(0, ends)], [examples.jack(grows=Q(0))], [[0]])
+            last = plan.maps[0].knots[1][-1]
+            micro = micro.changed(bridges=[bridged.straight(micro, 0, 0, 3, ends[1][1] + (last - ends[1][1]) / 2)]).settled()
+            checker = micro_check.Checker(json.loads(micro.certificate().split(b"\n", 1)[0]), micro.body(), micro_read.Microstructure(micro.text()), ())
+            checker.test()
+            parts = list(samples(micro))
+            places = [p for part in parts for p in part]
+            for _ in range(60):
+                near, side = rng.choice(places), rng.choice((1 / 4, 1 / 16, 1 / 64))
+                least = [float(c) + side * rng.uniform(-1.5, .5) for c in near]
+                mesh = mesh_model.Mesh(*meshes.triangles(move(CUBE, tuple(least), side)))
+                inside = [[all(lo < c < lo + side for c, lo in zip(p, least)) for p in part] for part in parts]
+                is_cut = any(any(part) != all(part) for part in inside)
+                far = min(max(max(lo - c, c - lo - side) for c, lo in zip(p, least)) for p in places)
+                holds = True
+                try:
+                    inside_surface.Surface(checker.model, checker.tiles, inside_mesh.Triangles(mesh)).test_i1()
+                except Reject:
+                    holds = False
+                self.assertFalse(is_cut and holds, (name, least, side))
+                self.assertFalse(far > 1 / 8 and not holds, (name, least, side))
+                found[2 * holds + is_cut] += 1
+        self.assertGreater(min(found), 20, found)
+
     def test_what_is_apart(self):
         """A triangle that is called apart is so by one of the seven vectors; one that is far from it is called apart."""
         rng, found = random.Random(9), [0, 0]
@@ -362,6 +396,17 @@ class BoundsTest(unittest.TestCase):
             p = tuple(float(rng.randrange(-8, 9)) for _ in range(3))
             found, truth = inside_mesh.distance_to(p, corners), squared_distance(p, corners)
             self.assertAlmostEqual(found ** 2, float(truth), places=9, msg=(p, corners))
+
+
+def samples(micro):
+    """Points of each patch and of each bridge, in space; one cell."""
+    m, tile = micro.cage.maps[0], micro.tiles[0]
+    for _, (p, q), lists in tile.patches:
+        for_patch = [of_bernstein(lists[0], (p + 1, q + 1), [Q(i, 3), Q(j, 3)]) for i in range(4) for j in range(4)]
+        yield [[float(c) for c in micro.in_space(0, 0, point)] for point in for_patch]
+    for bridge in micro.bridges:
+        points, sizes = [bridge.points[at] for at in bridge.order()], (*[d + 1 for d in bridge.degrees], 3)
+        yield [[float(c) for c in exact_value(m, of_bernstein(points, sizes, [Q(i, 3) for i in at]))] for at in itertools.product(range(4), repeat=3)]
 
 
 def of_bernstein(points, sizes, at):

@@ -13,6 +13,7 @@ from .inside_space import PAD, Space
 MAX_LEVEL, FREE_NODES, NODES_OF_PART, MAX_PAIRS = 60, 1 << 22, 64, 1 << 30
 MAX_SKIN_LEVEL, MAX_SKIN_NODES, SKIN_NODES_OF_BRIDGE = 24, 4096, 256
 KEPT = 1 << 12                                              # nodes of patches with numbers
+LONG = 64                                                   # a list of triangles that is worth a search in the tree
 
 class Surface:
     """Counts nodes and pairs. model: Microstructure; tiles: of micro_tile.py; triangles: Triangles."""
@@ -72,7 +73,8 @@ class Surface:
             found = []
             for points in parts(node.box):
                 self.see("I1", 1, 0)
-                some = self.triangles.tree.meeting(points.box) if near is None else near
+                is_long = near is None or len(near) > LONG
+                some = self.triangles.tree.meeting(points.box) if is_long else near
                 found += self.triangles.not_apart(points, some)
             if found:
                 if node.level == MAX_LEVEL:

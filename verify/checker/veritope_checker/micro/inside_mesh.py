@@ -10,8 +10,8 @@ from .inside_nodes import TINY, ULP
 from .inside_space import MAX_COORDINATE
 
 class Triangles:
-    """greatest: the greatest coordinate, in absolute value; tree: of their boxes; met: how often a box of points met that
-    of a triangle."""
+    """greatest: the greatest coordinate, in absolute value; tree: of their boxes; met: how often a box of points met
+    that of a triangle."""
 
     def __init__(self, mesh):
         self.mesh = mesh

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Nodes of the descents of docs/certificates/micro-inside.md: polynomial maps of a square or a cube, halved at 1/2, with
-the boxes around their coefficients, in binary64 with bounds for all errors."""
+"""Nodes of the descents of docs/certificates/micro-inside.md: polynomial maps of a square or a cube, halved at 1/2,
+with the boxes around their coefficients, in binary64 with bounds for all errors."""
 from itertools import chain
 from math import prod
 
@@ -25,7 +25,7 @@ class Node:
         if self.kids is None:
             n = self.sizes[0]
             pairs = [halves(a, n) for a in self.arrays]
-            # A mean of numbers up to 1, one for each step of de Casteljau's scheme; the bounds of boxes are rounded too.
+            # Each step of de Casteljau's scheme is a mean of numbers up to 1; the ends of boxes are rounded, too.
             error = self.error + (n + 1) * ULP
             self.kids = [Node([pair[which] for pair in pairs], self.sizes[1:] + self.sizes[:1], self.level + 1, error)
                          for which in (0, 1)]

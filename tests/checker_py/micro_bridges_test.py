@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """The Python checker of microstructure-1: bridges, materials, and tiles that star boxes prove. Each lie names the condition that rejects it, and
 is accepted without that condition, so that it breaks nothing else."""
+import itertools
 import json
+import math
 import pathlib
+import random
 import sys
 import unittest
 from fractions import Fraction as Q
@@ -15,6 +18,7 @@ sys.path[:0] = [str(ROOT / "tests" / "support"), str(ROOT / "verify" / "checker"
 import micro_bridge_examples as bridged                   # noqa: E402
 import micro_examples as examples                         # noqa: E402
 from veritope_checker import program                      # noqa: E402
+from veritope_checker.micro import micro_bridges, micro_read_bridges, micro_slices    # noqa: E402
 
 
 def row(n=4, held=(0,), tile=None, cage="cube", walls=None, **more):
@@ -318,6 +322,79 @@ class BoxesTest(Judged):
         broken.vertices[corner] = wall, (point[0], point[1] - Q(1, 10), point[2]), more
         broken.patches[0] = broken.patch(0)
         self.judged("S0", self.plan(proof, broken).changed(values=dict.fromkeys(examples.KEYS, 0)))
+
+
+class LawsTest(unittest.TestCase):
+    """R1 and the boxes of slices, against slow computations of the tests' own."""
+
+    def test_positive_definite_matrices(self):
+        rng, found = random.Random(1), [0, 0]
+        for _ in range(2000):
+            m = [[rng.randrange(-3, 4) + (6 if i == j else 0) * (rng.random() < .8) for j in range(3)] for i in range(3)]
+            symmetric, pivots = [[Q(m[i][j] + m[j][i]) for j in range(3)] for i in range(3)], []
+            for c in range(3):                                                              # Gauss's scheme: all pivots are positive
+                pivots.append(symmetric[c][c])
+                for r in range(c + 1, 3) if pivots[-1] > 0 else ():
+                    f = symmetric[r][c] / symmetric[c][c]
+                    symmetric[r] = [x - f * y for x, y in zip(symmetric[r], symmetric[c])]
+            truth = all(p > 0 for p in pivots)
+            self.assertEqual(micro_bridges.is_positive(m), truth, m)
+            found[truth] += 1
+        self.assertGreater(min(found), 300)
+        self.assertFalse(micro_bridges.is_positive([[1, 0, 0], [0, 1, 0], [0, 0, 0]]))
+        self.assertFalse(micro_bridges.is_positive([[0] * 3] * 3))
+
+    def some_bridge(self, rng):
+        p, q = rng.choice(((1, 1), (2, 1), (1, 3), (3, 2)))
+        points = {at: tuple(Q(rng.randrange(-20, 21), rng.choice((1, 3, 7))) for _ in range(3))
+                  for at in itertools.product(range(p + 1), range(q + 1), range(3))}
+        return bridged.Bridge(0, 0, 0, 0, (p, q), points)
+
+    def test_derivatives(self):
+        rng = random.Random(2)
+        for _ in range(40):
+            bridge = self.some_bridge(rng)
+            degrees, order = (*bridge.degrees, 2), list(bridge.order())
+            read = micro_read_bridges.Bridge(0, 0, 0, 0, bridge.degrees, [list(bridge.points[at]) for at in order])
+            nets = [dict(zip(order, column)) for column in zip(*micro_bridges.derivatives(read))]
+            at = [Q(rng.randrange(9), 8) for _ in range(3)]
+            ratios = set()
+            for axis, net in enumerate(nets):
+                step = tuple(int(a == axis) for a in range(3))
+                lower = {i: [degrees[axis] * (y - x) for x, y in zip(p, bridge.points[tuple(map(sum, zip(i, step)))])]
+                         for i, p in bridge.points.items() if i[axis] < degrees[axis]}
+                for x, y in zip(value(net, degrees, at), value(lower, [d - s for d, s in zip(degrees, step)], at)):
+                    self.assertEqual(bool(x), bool(y))
+                    ratios |= {x / y} if y else set()
+            self.assertLessEqual(len(ratios), 1)
+            self.assertTrue(all(r > 0 for r in ratios))
+
+    def test_boxes_of_slices(self):
+        """A box is that of the coefficients on the slice, by de Casteljau's scheme at both ends."""
+        rng = random.Random(3)
+        for _ in range(40):
+            bridge = self.some_bridge(rng)
+            read = micro_read_bridges.Bridge(0, 0, 0, 0, bridge.degrees, [list(bridge.points[at]) for at in bridge.order()])
+            cuts = sorted({Q(rng.randrange(1, 12), 12) for _ in range(rng.randrange(4))})
+            boxes = micro_slices.boxes_of_slices(read, cuts)
+            self.assertEqual(len(boxes), len(cuts) + 1)
+            for box, s, t in zip(boxes, [Q(0), *cuts], [*cuts, Q(1)]):
+                found = []
+                for i, j, _ in [at for at in bridge.points if at[2] == 0]:
+                    line = [bridge.points[i, j, k] for k in range(3)]
+                    for u, v in ((s, s), (s, t), (t, t)):
+                        first = [[(1 - u) * a + u * b for a, b in zip(x, y)] for x, y in zip(line, line[1:])]
+                        found.append([(1 - v) * a + v * b for a, b in zip(*first)])
+                self.assertEqual(box, [(min(c), max(c)) for c in zip(*found)])
+
+
+def value(net, degrees, at):
+    """The sum of coefficients times Bernstein polynomials."""
+    total = [Q(0)] * 3
+    for index, point in net.items():
+        factor = math.prod(math.comb(n, i) * t ** i * (1 - t) ** (n - i) for n, i, t in zip(degrees, index, at))
+        total = [x + factor * y for x, y in zip(total, point)]
+    return total
 
 
 def across(face, other, symmetry, knots, back=False):

@@ -209,6 +209,10 @@ class InsideTest(unittest.TestCase):
         self.dies_by("I3", honest.changed(voids=[(0, (Q(1, 8), Q(1, 8), Q(1, 8)), 8)]))
         self.dies_by("I3", honest.changed(voids=[(0, corner, 0)]))                                    # in no cell
         self.dies_by("I3", honest.changed(voids=[(0, (Q(-3, 32),) * 3, 8)]))                          # not in the volume
+        border = join(AROUND, turned(move(CUBE, (-0.03125, 0.0625, 0.0625), 0.0625)))
+        at_border = insides.Inside(small(), border, voids=[(0, (Q(0), Q(3, 32), Q(3, 32)), 8)])
+        self.dies_by("I3", at_border)                                                                 # on the volume's border
+        self.says("ACCEPT", at_border.changed(voids=[(0, (Q(1, 1 << 60), Q(3, 32), Q(3, 32)), 8)]))
         whole = block(1)                                                                              # the cell is all of the volume
         behind = insides.Inside(whole, hole, voids=[(0, corner, 0)])
         self.says("ACCEPT", behind)

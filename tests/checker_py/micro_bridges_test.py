@@ -86,6 +86,30 @@ class BridgesTest(Judged):
                 flip = bridged.straight(back, 0, 0, other % 6, *across(other, face, symmetry, plan.cage.maps[0].knots, True))
                 self.judged("ACCEPT", with_bridges(back, flip))
 
+    def test_every_symmetry_of_glued_faces(self):
+        rng, seen = random.Random(4), set()
+        while len(seen) < 8:
+            axes, reverse = rng.sample(range(3), 3), [rng.randrange(2) for _ in range(3)]
+            maps = [models.cube(), models.permuted(models.box((1, 0, 0), (2, 1, 1)), axes, reverse)]
+            cage = models.forge.proved(maps, flags=[0, models.is_mirror(axes, reverse)])
+            (face, (other, symmetry)), = [(f, code) for f, code in enumerate(cage.codes) if isinstance(code, tuple)]
+            if symmetry in seen:
+                continue
+            seen.add(symmetry)
+            for volume, to, ends in ((0, other, (face, other)), (1, face, (other, face))):
+                tile, own = examples.jack(grows=Q(0)), ends[0] % 6                          # this cap is like none of its images
+                for name, (wall, point, more) in tile.vertices.items():
+                    if wall == own:
+                        far = [(a, c) for a, c in enumerate(point) if a != own // 2]
+                        point = tuple(c + (far[0][1] > Q(1, 2)) * (Q(1, 16) if a == far[0][0] else Q(1, 32) if a == far[1][0] else 0)
+                                      for a, c in enumerate(point))
+                        tile.vertices[name] = wall, point, more
+                tile.patches = [tile.patch(n) for n in range(len(tile.quads))]
+                tile.exit = 4 + 5 * ((own + 1) % 6)
+                plan = bridged.Micro(cage, [(volume, [[Q(0), Q(1)]] * 3)], [tile], [[0]])
+                bridge = bridged.straight(plan, 0, 0, ends[0] % 6, *across(*ends, symmetry, cage.maps[to // 6].knots, volume == 1))
+                self.judged("ACCEPT", with_bridges(plan, bridge))
+
     def test_a_bridge_of_a_higher_degree_that_bends(self):
         plan = self.bar()
         bridge = plan.bridges[0]
@@ -172,6 +196,8 @@ class BridgesTest(Judged):
         plan = row(3, held=(0, 2))
         first, second = [bridged.straight(plan, 0, c, w, Q(end)) for c, w, end in ((0, 1, Q(1, 2)), (2, 0, Q(1, 2)))]
         self.dies_by("R4", with_bridges(plan, first, second))
+        thirds = [bridged.straight(plan, 0, c, w, Q(4, 9)) for c, w in ((0, 1), (2, 0))]    # they touch at a number that binary64 rounds
+        self.dies_by("R4", with_bridges(plan, *thirds))
         near = Q(1, 2) + Q(1, 1 << 70)
         self.judged("ACCEPT", with_bridges(plan, first, bridged.straight(plan, 0, 2, 0, near).changed(matrix=second.matrix)))
         self.judged("ACCEPT", with_bridges(plan, first))

@@ -380,10 +380,11 @@ class Skin(Judged):
 
     def test_s1(self):
         solid = cube(Q(7, 16))
-        for skin in ("-", "", "1/0", "1/00", "-1", "1.5", "1/", "/1", "1/2/3", " 1", "9" * 101, "1/" + "9" * 101):
+        self.reject(self.with_bridge(), solid, "I4", skin="-")
+        for skin in ("", "1/0", "1/00", "-1", "1.5", "1/", "/1", "1/2/3", " 1", "9" * 101, "1/" + "9" * 101):
             self.reject(self.with_bridge(), solid, "S1", skin=skin)
         self.accept(self.with_bridge(), solid, skin="9" * 100 + "/" + "9" * 100)
-        self.reject(middle(), solid, "S1", skin="1")
+        self.reject(middle(), solid, "I4", skin="1")
         for changes in ({"model_format": "vjson"}, {"model_format": "off,ply"}, {"model_sha256": "0"}, {"more": 1}):
             self.reject(middle(), solid, "S1", **changes)
         self.reject(middle(), solid, "S2", reading_rule="")

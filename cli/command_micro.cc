@@ -23,6 +23,7 @@
 #include "solids/micro/synthesis/filter_tiles.h"
 #include "solids/micro/synthesis/wall_thickness.h"
 #include "solids/vmodel/v_parts.h"
+#include "verify/certify/tile_certifier.h"
 #include "verify/certify/vmodel_certifier.h"
 #include "verify/format/sha256.h"
 
@@ -245,6 +246,15 @@ class MicroRun {
                                : std::nullopt,
                        "tile " + micro_.tiles[k].name + ": " + d->condition + ": " + d->message});
       tiles_.push_back(std::get<AnalysedTile>(std::move(analysed)));
+      if (tiles_.back().is_star()) continue;
+      const auto boxes = star_boxes_of(tiles_.back().tile);
+      if (const auto* const finding = std::get_if<Finding>(&boxes))
+        return refute(
+            {"F3",
+             k,
+             {},
+             {},
+             "tile " + micro_.tiles[k].name + ": F3: " + finding->code + ": " + finding->message});
     }
     return kExitValid;
   }

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "solids/micro/frame.h"
 #include "solids/micro/tile_analysis.h"
 #include "tests/support/micro_cells.h"
 
@@ -24,7 +25,11 @@ AnalysedTile analysed(const MicroTile& tile) {
 std::string condition_of(const MicroTile& tile) {
   const auto result = analyse_tile(tile);
   const auto* defect = std::get_if<TileDefect>(&result);
+  if (defect == nullptr) defect = std::get_if<TileDefect>(&std::get<AnalysedTile>(result).star);
   return defect != nullptr ? defect->condition : "";
+}
+TilePoint centre_of(const MicroTile& tile) {
+  return std::get<TileStar>(analysed(tile).star).centre;
 }
 MicroTile jack(JackShape shape = {}) { return jack_tile(shape).value(); }
 
@@ -50,8 +55,8 @@ TEST(Jack, IsAStarForEveryNumberOfItsRange) {
   shape.degree = 1;
   shape.range = {{1, kMaxWallNumber / 2 - 1}};
   const AnalysedTile tile = analysed(jack(shape));
-  EXPECT_EQ(tile.centre, (TilePoint{Rational(1) / Rational(2), Rational(1) / Rational(2),
-                                    Rational(1) / Rational(2)}));
+  EXPECT_EQ(centre_of(tile.tile), (TilePoint{Rational(1) / Rational(2), Rational(1) / Rational(2),
+                                             Rational(1) / Rational(2)}));
   EXPECT_EQ(tile.tile.range, shape.range);
 }
 
@@ -105,6 +110,33 @@ TEST(Jack, RefusesNumbersOutsideOfTheirRanges) {
   }
 }
 
+TEST(Frame, IsThreeRingsWithStubs) {
+  for (const unsigned arms : {63u, 0u, 1u, 36u}) {
+    FrameShape shape;
+    shape.arms = arms;
+    const AnalysedTile tile = analysed(frame_tile(shape).value());
+    EXPECT_EQ(tile.surface.euler(), 2 - 2 * 7);
+    EXPECT_FALSE(tile.is_star());
+    for (std::size_t wall = 0; wall < 6; ++wall)
+      EXPECT_EQ(tile.caps_of_wall[wall].size(), arms >> wall & 1u);
+    for (const TileCap& cap : tile.caps) EXPECT_EQ(cap.patches.size(), 1u);
+    EXPECT_EQ(shells_without(tile, (1u << tile.caps.size()) - 1).count, 1u);
+  }
+}
+TEST(Frame, RefusesBarsThatLeaveNoWindow) {
+  FrameShape shape;
+  shape.bar = Rational(2) / Rational(9);  // 2/6 + 6/9 = 1
+  EXPECT_EQ(frame_tile(shape).error().code, Code::kBadArgument);
+  shape.bar = Rational(0);
+  EXPECT_EQ(frame_tile(shape).error().code, Code::kBadArgument);
+  shape = {};
+  shape.margin = Rational(0);
+  EXPECT_EQ(frame_tile(shape).error().code, Code::kBadArgument);
+  shape = {};
+  shape.arms = 64;
+  EXPECT_EQ(frame_tile(shape).error().code, Code::kBadArgument);
+}
+
 TEST(TileAnalysis, ABoxBetweenTwoWallsHasTwoCaps) {
   const AnalysedTile tile = analysed(box_tile({16, 16, 0}, {48, 48, 64}));
   EXPECT_EQ(tile.caps.size(), 2u);
@@ -117,7 +149,7 @@ TEST(TileAnalysis, ABoxBetweenTwoWallsHasTwoCaps) {
 TEST(TileAnalysis, CentresHaveNumbersThatACertificateMayHave) {
   // Off the middle of the cube: its centre lies straight behind the middle of a side.
   MicroTile tile = box_tile({2, 2, 0}, {10, 10, 64});
-  EXPECT_EQ(analysed(tile).centre, at(8, 6, 32));
+  EXPECT_EQ(centre_of(tile), at(8, 6, 32));
   const Rational shift = Rational(1) / Rational(power_of_two(100) + Integer(1));
   for (TilePatch& patch : tile.patches)
     for (TilePoint& p : patch.points[0]) p[0] += shift, p[1] += shift;

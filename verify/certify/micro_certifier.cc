@@ -11,6 +11,7 @@
 #include "solids/micro/micro_topology.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/certify_kinds_internal.h"
+#include "verify/certify/tile_certifier.h"
 #include "verify/certify/vmodel_certifier.h"
 #include "verify/format/claims.h"
 #include "verify/format/micro_certificate.h"
@@ -71,6 +72,21 @@ class MicroCertification {
       return reason(name + " has " + std::to_string(tiles_.back().caps.size()) + " caps; at most " +
                         std::to_string(kMaxCaps) + " are supported",
                     "not-covered");
+    return prove(tiles_.back(), name);
+  }
+  // Appends the proof that the tile is a solid.
+  std::optional<Finding> prove(const AnalysedTile& tile, const std::string& name) {
+    if (const auto* const star = std::get_if<TileStar>(&tile.star)) {
+      certificate::StarTileProof proof;
+      for (std::size_t c = 0; c < 3; ++c) proof.centre[c] = to_fraction(star->centre[c]);
+      proof.exit = star->exit;
+      body_.tiles.emplace_back(std::move(proof));
+      return std::nullopt;
+    }
+    auto boxes = star_boxes_of(tile.tile, options_);
+    if (auto* const finding = std::get_if<Finding>(&boxes))
+      return reason(name + ": F3: " + finding->code + ": " + finding->message);
+    body_.tiles.emplace_back(std::get<certificate::StarBoxBody>(std::move(boxes)));
     return std::nullopt;
   }
 
@@ -150,12 +166,6 @@ class MicroCertification {
   }
 
   void conclude() {
-    for (const AnalysedTile& tile : tiles_) {
-      certificate::StarTileProof proof;
-      for (std::size_t c = 0; c < 3; ++c) proof.centre[c] = to_fraction(tile.centre[c]);
-      proof.exit = tile.exit;
-      body_.tiles.emplace_back(std::move(proof));
-    }
     const MicroCounts& n = facts_.counts;
     out_.certificate = certificate::encode(
         subject_,

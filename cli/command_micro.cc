@@ -21,6 +21,7 @@
 #include "solids/micro/mesh/micro_mesh.h"
 #include "solids/micro/synthesis/cage_around.h"
 #include "solids/micro/synthesis/filter_tiles.h"
+#include "solids/micro/synthesis/tile_places.h"
 #include "solids/micro/synthesis/wall_thickness.h"
 #include "solids/vmodel/v_parts.h"
 #include "verify/certify/tile_certifier.h"
@@ -36,10 +37,9 @@ constexpr std::array<std::int32_t, 2> kCapLimits = {1, kMaxWallNumber / 2 - 1};
 
 struct MicroOptions {
   std::optional<std::string> cage, model;
-  JackShape jack;
-  bool has_tile = false;
+  std::vector<TileChoice> tiles;
   std::optional<std::array<std::uint64_t, 3>> counts;
-  std::optional<RealFormula> thickness;
+  std::optional<RealFormula> thickness, place;
   std::optional<std::string> output, list, mesh, json;
   std::optional<double> chord;
   bool wants_connected = false;
@@ -62,11 +62,11 @@ std::string take_counts(const std::string& text,
   return "";
 }
 
-std::string take_thickness(const std::string& text, MicroOptions& options) {
+std::string take_formula(const std::string& text, std::optional<RealFormula>& to) {
   const std::vector<std::string> variables(kWallVariables.begin(), kWallVariables.end());
   Result<RealFormula> formula = parse_formula(text, variables);
   if (!formula) return "is not a formula: " + formula.error().message;
-  options.thickness = std::move(*formula);
+  to = std::move(*formula);
   return "";
 }
 
@@ -77,9 +77,9 @@ class MicroRun {
 
   ExitCode run() {
     if (const Status status = check_outputs(); !status) return fail(status.error());
-    for (const auto step :
-         {&MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill, &MicroRun::analyse,
-          &MicroRun::filter, &MicroRun::connect, &MicroRun::find_topology, &MicroRun::make_mesh})
+    for (const auto step : {&MicroRun::read_tiles, &MicroRun::read_cage, &MicroRun::read_solid,
+                            &MicroRun::fill, &MicroRun::analyse, &MicroRun::filter,
+                            &MicroRun::connect, &MicroRun::find_topology, &MicroRun::make_mesh})
       if (const ExitCode exit = (this->*step)(); exit != kExitValid) return conclude(exit);
     return conclude(write());
   }
@@ -88,6 +88,8 @@ class MicroRun {
   std::vector<std::string> inputs() const {
     std::vector<std::string> out = {*options_.cage};
     if (options_.model) out.push_back(*options_.model);
+    for (const TileChoice& tile : options_.tiles)
+      if (const auto* const file = std::get_if<TileFile>(&tile)) out.push_back(file->path);
     return out;
   }
   Status check_outputs() const {
@@ -208,16 +210,23 @@ class MicroRun {
     return refute(std::move(defect), escape.vertex ? kExitInvalid : kExitUndecided);
   }
 
+  ExitCode read_tiles() {
+    choices_ = options_.tiles;
+    const Status read = read_tile_files(options_.reading, choices_);
+    return read ? kExitValid : refuse(read.error());
+  }
   ExitCode fill() {
-    JackShape shape = options_.jack;
-    if (options_.thickness) shape.range = kCapLimits;
+    std::optional<Error> misplaced;
     Result<Microstructure> filled = fill_cage(
-        cage_, *model_, *options_.counts,
-        [&](unsigned arms) {
-          shape.arms = arms;
-          return jack_tile(shape);
+        cage_, *model_, *options_.counts, makers(),
+        [&, places = places()](const VVolume& volume, const MicroGrid& grid, std::uint64_t cell) {
+          if (places == nullptr) return Result<std::size_t>(0);
+          Result<std::size_t> number = (*places)(volume, grid, cell);
+          if (!number) misplaced = number.error();
+          return number;
         },
         options_.max_tiles);
+    if (misplaced) return refute({"place", {}, {}, {}, misplaced->message});
     if (!filled) {
       Error error = filled.error();
       if (error.code == Code::kOverLimit) error.message += " (--max-tiles)";
@@ -230,6 +239,18 @@ class MicroRun {
     if (!options_.thickness || !micro_.has_walls()) return kExitValid;
     const Status numbered = number_walls_by(*options_.thickness, *model_, kCapLimits, micro_);
     return numbered ? kExitValid : refute({"thickness", {}, {}, {}, numbered.error().message});
+  }
+  std::vector<TileOfArms> makers() const {
+    std::optional<std::array<std::int32_t, 2>> range;
+    if (options_.thickness) range = kCapLimits;
+    std::vector<TileOfArms> out;
+    for (const TileChoice& choice : choices_)
+      out.push_back([&choice, range](unsigned arms) { return make_tile(choice, arms, range); });
+    return out;
+  }
+  std::shared_ptr<TilePlaces> places() const {
+    if (!options_.place) return nullptr;
+    return std::make_shared<TilePlaces>(*options_.place, choices_.size());
   }
   static std::string file_name(const std::string& path) {
     return path.substr(path.find_last_of('/') + 1);
@@ -244,17 +265,19 @@ class MicroRun {
                        {},
                        d->wall ? std::optional(v_face_name(static_cast<std::size_t>(*d->wall)))
                                : std::nullopt,
-                       "tile " + micro_.tiles[k].name + ": " + d->condition + ": " + d->message});
+                       "tile " + micro_.tiles[k].name + ": " + d->condition + ", " +
+                           defect_in_words(*d) + ": " + d->message});
       tiles_.push_back(std::get<AnalysedTile>(std::move(analysed)));
       if (tiles_.back().is_star()) continue;
       const auto boxes = star_boxes_of(tiles_.back().tile);
       if (const auto* const finding = std::get_if<Finding>(&boxes))
-        return refute(
-            {"F3",
-             k,
-             {},
-             {},
-             "tile " + micro_.tiles[k].name + ": F3: " + finding->code + ": " + finding->message});
+        return refute({"F3",
+                       k,
+                       {},
+                       {},
+                       "tile " + micro_.tiles[k].name +
+                           ": F3, the patches do not bound one solid: " + finding->code + ": " +
+                           finding->message});
     }
     return kExitValid;
   }
@@ -420,6 +443,7 @@ class MicroRun {
   std::vector<ExactVolume> cage_;
   std::optional<VModel> model_;
   std::optional<MeshFile> solid_;
+  std::vector<TileChoice> choices_;
   Microstructure micro_;
   std::vector<AnalysedTile> tiles_;
   std::vector<GridStatus> statuses_;
@@ -433,21 +457,23 @@ RunCommand declare_micro(OptionSet& set) {
   const auto o = std::make_shared<MicroOptions>();
   o->reading.jobs = default_jobs();
   set.text("--cage", o->cage, "a file of volumes, whose parameters hold the cells");
-  set.option(
+  set.repeatable(
       "--tile", "TILE",
-      [o = o.get()](const std::string& text) {
-        o->has_tile = true;
-        return take_jack(text, o->jack);
-      },
-      "jack[,node=1/5][,cap=1/8][,degree=3]: a cube, six arms");
+      [o = o.get()](const std::string& text) { return take_tile(text, o->tiles); },
+      "jack[,node=1/5][,cap=1/8][,degree=3], frame, branch, or a file");
   set.option(
       "--counts", "K,M,N",
       [o = o.get()](const std::string& text) { return take_counts(text, o->counts); },
       "cells along the three axes of each volume");
   set.text("--model", o->model, "keep tiles in the interior of this solid only, a mesh");
   set.option(
+      "--place", "EXPR",
+      [o = o.get()](const std::string& text) { return take_formula(text, o->place); },
+      "the number of each cell's tile, from 0");
+  set.hide("--place");
+  set.option(
       "--thickness", "EXPR",
-      [o = o.get()](const std::string& text) { return take_thickness(text, *o); },
+      [o = o.get()](const std::string& text) { return take_formula(text, o->thickness); },
       "half the width of arms at each wall, from x y z u v w");
   set.output("-o,--output", o->output, "write the microstructure, .vmicro");
   set.output("--mesh", o->mesh, "write its surface as a mesh, within --chord H of it");
@@ -461,7 +487,8 @@ RunCommand declare_micro(OptionSet& set) {
   declare_reading(set, o->reading);
   set.rule([o]() -> std::string {
     if (!o->cage) return "--cage is required, a spline file of volumes";
-    if (!o->has_tile) return "--tile is required, such as jack";
+    if (o->tiles.empty()) return "--tile is required, such as jack";
+    if (o->tiles.size() > 1 && !o->place) return "several tiles need --place, a formula";
     if (!o->counts) return "--counts is required, such as 10,10,10";
     if (!o->output) return "-o OUT.vmicro is required, the file of the microstructure";
     if (o->mesh.has_value() != o->chord.has_value()) return "--mesh and --chord need each other";

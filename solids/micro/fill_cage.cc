@@ -19,13 +19,16 @@ constexpr std::int32_t kNoNumber = -1;
 // The tiles with fewer arms, as they are needed.
 class TileKinds {
  public:
-  TileKinds(const TileOfArms& make, std::vector<MicroTile>& tiles) : make_(make), tiles_(tiles) {}
+  TileKinds(const std::vector<TileOfArms>& make, std::vector<MicroTile>& tiles)
+      : make_(make), tiles_(tiles) {}
   // 1 more than the number of the tile.
-  Result<std::uint8_t> with_arms(unsigned arms) {
-    const auto [at, is_new] = numbers_.try_emplace(arms, std::uint8_t{0});
+  Result<std::uint8_t> with_arms(std::size_t choice, unsigned arms) {
+    const auto [at, is_new] = numbers_.try_emplace({choice, arms}, std::uint8_t{0});
     if (!is_new) return at->second;
-    Result<MicroTile> tile = make_(arms);
+    Result<MicroTile> tile = make_[choice](arms);
     if (!tile) return tile.error();
+    for (std::size_t k = 0; k < tiles_.size(); ++k)
+      if (tiles_[k] == *tile) return at->second = static_cast<std::uint8_t>(k + 1);
     if (tiles_.size() == kMaxMicroTiles)
       return Error{
           Code::kOverLimit, {}, "more than " + std::to_string(kMaxMicroTiles) + " different tiles"};
@@ -34,9 +37,9 @@ class TileKinds {
   }
 
  private:
-  const TileOfArms& make_;
+  const std::vector<TileOfArms>& make_;
   std::vector<MicroTile>& tiles_;
-  std::map<unsigned, std::uint8_t> numbers_;
+  std::map<std::pair<std::size_t, unsigned>, std::uint8_t> numbers_;
 };
 
 // The walls of a cell that do not lie in collapsed faces.
@@ -92,8 +95,18 @@ bool is_whole_square(const WallPlacement& p) {
 Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
                                  const std::array<std::uint64_t, 3>& counts, const TileOfArms& tile,
                                  std::uint64_t max_cells) {
+  const auto first = [](const VVolume&, const MicroGrid&, std::uint64_t) {
+    return Result<std::size_t>(0);
+  };
+  return fill_cage(std::move(cage), model, counts, std::vector<TileOfArms>{tile}, first, max_cells);
+}
+
+Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
+                                 const std::array<std::uint64_t, 3>& counts,
+                                 const std::vector<TileOfArms>& tiles, const ChooseTile& choose,
+                                 std::uint64_t max_cells) {
   Microstructure out;
-  TileKinds kinds(tile, out.tiles);
+  TileKinds kinds(tiles, out.tiles);
   std::uint64_t left = max_cells;
   for (std::uint32_t v = 0; v < cage.size(); ++v) {
     std::uint64_t cells = 1;
@@ -106,7 +119,9 @@ Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
     Result<MicroGrid> grid = make_micro_grid(cage[v], v, counts);
     if (!grid) return grid.error();
     for (std::size_t c = 0; c < grid->tiles.size(); ++c) {
-      const Result<std::uint8_t> kind = kinds.with_arms(arms_of(model, *grid, c));
+      const Result<std::size_t> choice = choose(cage[v], *grid, c);
+      if (!choice) return choice.error();
+      const Result<std::uint8_t> kind = kinds.with_arms(*choice, arms_of(model, *grid, c));
       if (!kind) return kind.error();
       grid->tiles[c] = *kind;
     }

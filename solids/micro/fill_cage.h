@@ -23,6 +23,17 @@ Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
                                  const std::array<std::uint64_t, 3>& counts, const TileOfArms& tile,
                                  std::uint64_t max_cells);
 
+/// Which of several tiles the cell of a grid holds.
+using ChooseTile = std::function<Result<std::size_t>(const VVolume& volume, const MicroGrid& grid,
+                                                     std::uint64_t cell)>;
+/// Calls choose for each cell, in order. Equal tiles are one.
+/// @error  that of choose, too
+/// REQUIRES that choose returns numbers of tiles.
+Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
+                                 const std::array<std::uint64_t, 3>& counts,
+                                 const std::vector<TileOfArms>& tiles, const ChooseTile& choose,
+                                 std::uint64_t max_cells);
+
 /// A wall of a grid: its grid, its axis, and its place among the walls across that axis.
 struct GridWall {
   std::uint32_t grid = 0;

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "interval/formula/formula_evaluator.h"
+#include "solids/micro/synthesis/formula_point_internal.h"
 #include "solids/micro/wall_pairs.h"
-#include "splines/de_boor.h"
 
 namespace veritope {
 namespace {
@@ -45,18 +44,8 @@ class WallEvaluator {
     return bad_argument("wall " + name_of_wall(micro_, cell_beside(micro_, wall)) + ": " + what);
   }
   std::vector<Rational> values_at(const GridWall& wall) const {
-    const VVolume& volume = micro_.cage[micro_.grids[wall.grid].volume];
-    const std::array<Rational, 3> at = middle_of(micro_, wall);
-    std::vector<Rational> out(3);
-    if (formula_.depends_on(0) || formula_.depends_on(1) || formula_.depends_on(2)) {
-      const std::vector<Rational> p = point(volume, at).value();
-      std::copy_n(p.begin(), 3, out.begin());
-    }
-    for (std::size_t a = 0; a < 3; ++a) {
-      const KnotAxis<Rational>& axis = volume.axis(a);
-      out.push_back((at[a] - axis.domain_begin()) / (axis.domain_end() - axis.domain_begin()));
-    }
-    return out;
+    return internal::formula_values(formula_, micro_.cage[micro_.grids[wall.grid].volume],
+                                    middle_of(micro_, wall));
   }
   // A number of its own for each wall, for rand.
   std::uint64_t index_of(const GridWall& wall) const {

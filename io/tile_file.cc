@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "io/tile_file.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "io/splines/boundary_faces.h"
+#include "io/splines/patch_model.h"
+#include "io/splines/volumes.h"
+#include "io/tile_facets_internal.h"
+#include "solids/micro/micro_validity.h"
+#include "splines/bezier_triangle.h"
+#include "splines/binomial.h"
+
+namespace veritope {
+namespace {
+
+Error too_many_tile_patches(std::uint64_t count) {
+  return Error{Code::kOverLimit,
+               {},
+               "the tile has " + std::to_string(count) + " patches, more than " +
+                   std::to_string(kMaxTilePatches)};
+}
+
+// The point of a tensor patch or triangle with this number.
+TilePoint control_point(const Patch& patch, std::size_t i) {
+  return {patch.component(0)[i], patch.component(1)[i], patch.component(2)[i]};
+}
+
+// The points of a curve in Bernstein form, in a degree that is not less.
+std::vector<TilePoint> elevated_points(std::vector<TilePoint> points, std::size_t degree) {
+  while (points.size() <= degree) {
+    const auto n = static_cast<std::int64_t>(points.size());
+    std::vector<TilePoint> next = {points.front()};
+    for (std::int64_t i = 1; i < n; ++i) {
+      const Rational share = Rational(Integer(i)) / Rational(Integer(n));
+      TilePoint p;
+      for (std::size_t c = 0; c < 3; ++c)
+        p[c] = share * points[static_cast<std::size_t>(i - 1)][c] +
+               (Rational(1) - share) * points[static_cast<std::size_t>(i)][c];
+      next.push_back(std::move(p));
+    }
+    next.push_back(points.back());
+    points = std::move(next);
+  }
+  return points;
+}
+
+// A triangle of degree n is the patch whose side u = 0 is its corner 0: row i of the degree n consists of the
+// coefficients of u^(n - i), as a curve from the side of corner 1 to that of corner 2.
+TilePatch tile_patch_of_triangle(const Patch& patch) {
+  const int n = patch.triangle().degree();
+  TilePatch out;
+  out.degrees = {n, n};
+  auto& points = out.points.emplace_back();
+  for (int row = 0; row <= n; ++row) {
+    std::vector<TilePoint> curve;
+    for (int k = 0; k <= row; ++k)
+      curve.push_back(control_point(patch, triangle_index(row - k, k)));
+    for (TilePoint& p : elevated_points(std::move(curve), static_cast<std::size_t>(n)))
+      points.push_back(std::move(p));
+  }
+  return out;
+}
+
+Result<TilePatch> tile_patch_of(const Patch& patch, const std::string& where) {
+  if (patch.is_rational())
+    return bad_argument(where + " is rational; the patches of tiles are polynomial");
+  if (patch.max_degree() > kMaxTileDegree)
+    return Error{Code::kOverLimit,
+                 {},
+                 where + " has the degree " + std::to_string(patch.max_degree()) +
+                     "; tiles have degrees up to " + std::to_string(kMaxTileDegree)};
+  if (patch.is_triangle()) return tile_patch_of_triangle(patch);
+  TilePatch out;
+  out.degrees = patch.tensor().degrees();
+  auto& points = out.points.emplace_back();
+  for (std::size_t i = 0; i < patch.num_control(); ++i) points.push_back(control_point(patch, i));
+  return out;
+}
+
+// Bits of the patch in degree-independent form, turned so that the text is least: equal texts, equal oriented patches.
+std::string oriented_key(const Patch& patch) {
+  std::string least;
+  for (std::uint32_t by = 0; by < patch.num_sides(); ++by) {
+    const Patch t = turned(patch, by);
+    std::string text = std::to_string(t.num_sides()) + ":";
+    if (!t.is_triangle())
+      text += std::to_string(t.tensor().degree(0)) + "," + std::to_string(t.tensor().degree(1));
+    for (const Rational& x : t.coefficients()) text += ";" + x.to_string();
+    if (by == 0 || text < least) least = std::move(text);
+  }
+  return least;
+}
+
+// Leaves out pairs of equal patches with opposite normals.
+std::vector<Patch> without_inner_walls(const std::vector<Patch>& patches) {
+  std::map<std::string, std::vector<std::size_t>> open;
+  std::vector<bool> is_inner(patches.size());
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const auto at = open.find(oriented_key(reversed(patches[i])));
+    if (at != open.end() && !at->second.empty()) {
+      is_inner[i] = is_inner[at->second.back()] = true;
+      at->second.pop_back();
+    } else {
+      open[oriented_key(patches[i])].push_back(i);
+    }
+  }
+  std::vector<Patch> out;
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    if (!is_inner[i]) out.push_back(patches[i]);
+  return out;
+}
+
+Result<std::vector<Patch>> tile_patches_of(const SplineFile& file) {
+  for (const LeftOut& left : file.left_out)
+    if (left.is_geometry)
+      return bad_argument("the file has " + left.what +
+                          ", which are no part of a tile: surfaces, triangles and volumes are");
+  SplineModel volumes, others;
+  const SplineModel plain =
+      has_attributes(file.model) ? without_attributes(file.model) : file.model;
+  for (std::size_t e = 0; e < plain.entities.size(); ++e) {
+    const SplineEntity& entity = plain.entities[e];
+    if (std::holds_alternative<ExactVolume>(entity.shape))
+      volumes.entities.push_back(entity);
+    else if (std::holds_alternative<ExactSurface>(entity.shape) ||
+             std::holds_alternative<ExactTriangle>(entity.shape))
+      others.entities.push_back(entity);
+    else
+      return bad_argument("entity " + std::to_string(e) + " is a " + spline_kind_name(entity) +
+                          "; tiles are made of surfaces, triangles and volumes");
+  }
+  std::vector<Patch> out;
+  if (!volumes.entities.empty()) {
+    Result<BoundaryFaces> faces = boundary_faces(volumes);
+    if (!faces) return faces.error();
+    for (SplineEntity& face : faces->model.entities) others.entities.push_back(std::move(face));
+  }
+  if (others.entities.empty()) return Error{Code::kEmpty, {}, "the file has no surface"};
+  Result<PatchSource> source = patch_source(others);
+  if (!source) return source.error();
+  if (!source->foreign.empty())
+    return bad_argument("the file has " + to_string(source->foreign[0]));
+  return without_inner_walls(source->patches);
+}
+
+std::vector<internal::TileFacet> facets_of(const std::vector<Patch>& patches,
+                                           std::vector<TilePatch>& curved) {
+  std::vector<internal::TileFacet> out;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    if (!patches[i].is_flat_triangle()) continue;
+    const std::vector<TilePoint>& p = curved[i].points.front();
+    out.push_back({{p[0], p[2], p[3]}, std::nullopt});
+  }
+  return out;
+}
+
+Result<MicroTile> tile_of_splines(const SplineFile& file, TileFacets facets) {
+  Result<std::vector<Patch>> patches = tile_patches_of(file);
+  if (!patches) return patches.error();
+  if (patches->size() > kMaxTilePatches) return too_many_tile_patches(patches->size());
+  std::vector<TilePatch> all;
+  for (const Patch& patch : *patches) {
+    Result<TilePatch> made = tile_patch_of(patch, to_string(patch.origin()));
+    if (!made) return made.error();
+    all.push_back(std::move(*made));
+  }
+  MicroTile out;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!(*patches)[i].is_flat_triangle()) out.patches.push_back(all[i]);
+  const bool has_others = !out.patches.empty();
+  // Other patches keep their sides whole, so that those of triangles cannot be cut.
+  for (TilePatch& p : internal::patches_of_facets(facets_of(*patches, all),
+                                                  has_others ? TileFacets::kFewest : facets))
+    out.patches.push_back(std::move(p));
+  return out;
+}
+
+Result<MicroTile> tile_of_mesh(const MeshFile& file, TileFacets facets) {
+  if (file.mesh.faces.size() > 2 * kMaxTilePatches)
+    return too_many_tile_patches(file.mesh.faces.size());
+  std::vector<internal::TileFacet> all;
+  for (std::size_t f = 0; f < file.mesh.faces.size(); ++f) {
+    internal::TileFacet& facet = all.emplace_back();
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Vec3d& p = file.mesh.positions[file.mesh.faces[f][c]];
+      facet.corners[c] = {Rational::from_double(p.x), Rational::from_double(p.y),
+                          Rational::from_double(p.z)};
+    }
+    if (!file.polygon_of_face.empty()) facet.polygon = file.polygon_of_face[f];
+  }
+  MicroTile out;
+  out.patches = internal::patches_of_facets(all, facets);
+  return out;
+}
+
+}  // namespace
+
+Result<MicroTile> tile_of(const ModelFile& file, const std::string& name, TileFacets facets) {
+  Result<MicroTile> out = bad_argument("the file is a microstructure, not a tile");
+  if (const auto* const mesh = std::get_if<MeshFile>(&file))
+    out = tile_of_mesh(*mesh, facets);
+  else if (const auto* const splines = std::get_if<SplineFile>(&file))
+    out = tile_of_splines(*splines, facets);
+  if (!out) return out;
+  out->name = name;
+  if (out->patches.size() > kMaxTilePatches) return too_many_tile_patches(out->patches.size());
+  if (Status status = check_tile(*out, 0); !status) return status.error();
+  return out;
+}
+
+}  // namespace veritope

@@ -18,11 +18,14 @@
 namespace veritope {
 namespace {
 
+Error over_tile_limit(std::uint64_t count, const std::string& what, std::uint64_t most) {
+  return Error{
+      Code::kOverLimit,
+      {},
+      "the tile has " + std::to_string(count) + what + ", more than " + std::to_string(most)};
+}
 Error too_many_tile_patches(std::uint64_t count) {
-  return Error{Code::kOverLimit,
-               {},
-               "the tile has " + std::to_string(count) + " patches, more than " +
-                   std::to_string(kMaxTilePatches)};
+  return over_tile_limit(count, " patches", kMaxTilePatches);
 }
 
 // The point of a tensor patch or triangle with this number.
@@ -182,7 +185,7 @@ Result<MicroTile> tile_of_splines(const SplineFile& file, TileFacets facets) {
 
 Result<MicroTile> tile_of_mesh(const MeshFile& file, TileFacets facets) {
   if (file.mesh.faces.size() > 2 * kMaxTilePatches)
-    return too_many_tile_patches(file.mesh.faces.size());
+    return over_tile_limit(file.mesh.faces.size(), " triangles", 2 * kMaxTilePatches);
   std::vector<internal::TileFacet> all;
   for (std::size_t f = 0; f < file.mesh.faces.size(); ++f) {
     internal::TileFacet& facet = all.emplace_back();

@@ -18,6 +18,7 @@
 #include "report/report_text.h"
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
+#include "solids/micro/doubled_grids.h"
 #include "solids/micro/mesh/micro_mesh.h"
 #include "solids/micro/synthesis/cage_around.h"
 #include "solids/micro/synthesis/filter_tiles.h"
@@ -40,6 +41,7 @@ struct MicroOptions {
   std::vector<TileChoice> tiles;
   std::optional<std::array<std::uint64_t, 3>> counts;
   std::optional<RealFormula> thickness, place;
+  std::optional<std::uint64_t> doubled_from;  // a layer of w
   std::optional<std::string> output, list, mesh, json;
   std::optional<double> chord;
   bool wants_connected = false;
@@ -68,6 +70,11 @@ std::string take_formula(const std::string& text, std::optional<RealFormula>& to
   if (!formula) return "is not a formula: " + formula.error().message;
   to = std::move(*formula);
   return "";
+}
+
+bool has_jack(const std::vector<TileChoice>& tiles) {
+  return std::any_of(tiles.begin(), tiles.end(),
+                     [](const TileChoice& t) { return std::holds_alternative<JackShape>(t); });
 }
 
 class MicroRun {
@@ -217,15 +224,15 @@ class MicroRun {
   }
   ExitCode fill() {
     std::optional<Error> misplaced;
-    Result<Microstructure> filled = fill_cage(
-        cage_, *model_, *options_.counts, makers(),
+    Result<Microstructure> filled = filled_cage(
         [&, places = places()](const VVolume& volume, const MicroGrid& grid, std::uint64_t cell) {
+          if (options_.doubled_from && is_before_doubling(volume, grid, cell))
+            return Result<std::size_t>(choices_.size());
           if (places == nullptr) return Result<std::size_t>(0);
           Result<std::size_t> number = (*places)(volume, grid, cell);
           if (!number) misplaced = number.error();
           return number;
-        },
-        options_.max_tiles);
+        });
     if (misplaced) return refute({"place", {}, {}, {}, misplaced->message});
     if (!filled) {
       Error error = filled.error();
@@ -240,12 +247,26 @@ class MicroRun {
     const Status numbered = number_walls_by(*options_.thickness, *model_, kCapLimits, micro_);
     return numbered ? kExitValid : refute({"thickness", {}, {}, {}, numbered.error().message});
   }
+  Result<Microstructure> filled_cage(const ChooseTile& choose) const {
+    const std::array<std::uint64_t, 3>& counts = *options_.counts;
+    if (!options_.doubled_from)
+      return fill_cage(cage_, *model_, counts, makers(), choose, options_.max_tiles);
+    Result<std::vector<MicroGrid>> grids =
+        make_doubled_grids(cage_, counts, *options_.doubled_from, options_.max_tiles);
+    if (!grids) return grids.error();
+    return fill_grids(cage_, *model_, std::move(*grids), makers(), choose);
+  }
+  // Of the tiles, and at the end, if cells are doubled, of the tile before them.
   std::vector<TileOfArms> makers() const {
     std::optional<std::array<std::int32_t, 2>> range;
     if (options_.thickness) range = kCapLimits;
     std::vector<TileOfArms> out;
     for (const TileChoice& choice : choices_)
       out.push_back([&choice, range](unsigned arms) { return make_tile(choice, arms, range); });
+    if (options_.doubled_from)
+      out.push_back([&first = choices_.front(), range](unsigned arms) {
+        return make_bifurcation(first, arms, range);
+      });
     return out;
   }
   std::shared_ptr<TilePlaces> places() const {
@@ -472,6 +493,11 @@ RunCommand declare_micro(OptionSet& set) {
       "the number of each cell's tile, from 0");
   set.hide("--place");
   set.option(
+      "--double", "w=L",
+      [o = o.get()](const std::string& text) { return take_doubling(text, o->doubled_from); },
+      "cells half as wide along u and v from layer L of w on");
+  set.hide("--double");
+  set.option(
       "--thickness", "EXPR",
       [o = o.get()](const std::string& text) { return take_formula(text, o->thickness); },
       "half the width of arms at each wall, from x y z u v w");
@@ -490,6 +516,11 @@ RunCommand declare_micro(OptionSet& set) {
     if (o->tiles.empty()) return "--tile is required, such as jack";
     if (o->tiles.size() > 1 && !o->place) return "several tiles need --place, a formula";
     if (!o->counts) return "--counts is required, such as 10,10,10";
+    if (o->thickness && !has_jack(o->tiles)) return "--thickness needs a jack or a branch";
+    if (o->doubled_from && !std::holds_alternative<JackShape>(o->tiles.front()))
+      return "--double needs a jack as its first tile";
+    if (o->doubled_from && *o->doubled_from >= (*o->counts)[2])
+      return "--double needs a layer below the count of layers, " + std::to_string((*o->counts)[2]);
     if (!o->output) return "-o OUT.vmicro is required, the file of the microstructure";
     if (o->mesh.has_value() != o->chord.has_value()) return "--mesh and --chord need each other";
     if (o->mesh && format_from_path(*o->mesh, ModelKind::kMesh) == nullptr)

@@ -9,12 +9,14 @@
 #include "io/base/exact_number.h"
 #include "io/read_model.h"
 #include "io/tile_file.h"
+#include "solids/micro/bifurcation.h"
 #include "solids/vmodel/v_parts.h"
 
 namespace veritope::cli {
 namespace {
 
-constexpr unsigned kBranchArms = 51;  // to u0, u1, w0 and w1
+constexpr unsigned kBranchArms = 51;         // to u0, u1, w0 and w1
+constexpr unsigned kArmsOfBifurcation = 31;  // to all walls but w1
 
 std::vector<std::string> parts_of(const std::string& text, char separator) {
   std::vector<std::string> out(1);
@@ -153,6 +155,27 @@ Result<MicroTile> make_tile(const TileChoice& tile, unsigned arms,
   shape.arms &= arms;
   shape.range = range;
   return jack_tile(shape);
+}
+
+Result<MicroTile> make_bifurcation(const TileChoice& tile, unsigned arms,
+                                   const std::optional<std::array<std::int32_t, 2>>& range) {
+  JackShape shape = std::get<JackShape>(tile);
+  shape.arms &= arms & kArmsOfBifurcation;
+  shape.range = range;
+  return bifurcation_tile(shape);
+}
+
+std::string take_doubling(const std::string& text, std::optional<std::uint64_t>& layer) {
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  if (text.starts_with("w=")) {
+    const auto read = std::from_chars(text.data() + 2, end, number);
+    if (read.ec == std::errc() && read.ptr == end && number > 0) {
+      layer = number;
+      return "";
+    }
+  }
+  return "needs w=L, L the number of a layer from 1, not " + text;
 }
 
 const char* defect_in_words(const TileDefect& defect) {

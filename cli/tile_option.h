@@ -35,6 +35,14 @@ Status read_tile_files(const ModelReadOptions& reading, std::vector<TileChoice>&
 Result<MicroTile> make_tile(const TileChoice& tile, unsigned arms,
                             const std::optional<std::array<std::int32_t, 2>>& range);
 
+/// The tile below 2 x 2 jacks like this one. REQUIRES a jack.
+/// @error  as bifurcation_tile
+Result<MicroTile> make_bifurcation(const TileChoice& tile, unsigned arms,
+                                   const std::optional<std::array<std::int32_t, 2>>& range);
+
+/// "w=3": the layer. Returns nothing, or what is wrong with the text.
+std::string take_doubling(const std::string& text, std::optional<std::uint64_t>& layer);
+
 /// "the surface is not closed", for the condition S0.
 const char* defect_in_words(const TileDefect& defect);
 

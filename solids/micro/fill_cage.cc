@@ -43,15 +43,18 @@ class TileKinds {
 };
 
 // The walls of a cell that do not lie in collapsed faces.
-unsigned arms_of(const VModel& model, const MicroGrid& grid, std::size_t cell) {
-  const Grid<3> shape = grid.shape();
-  const auto at = shape.index_of(cell);
+unsigned arms_of(const VVolume& volume, const VModel& model, const MicroGrid& grid,
+                 std::size_t cell) {
+  const auto at = grid.shape().index_of(cell);
   unsigned arms = kAllArms;
   for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t end = 0; end < 2; ++end)
-      if (at[a] == (end == 0 ? 0 : shape.size[a] - 1) &&
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Rational& border =
+          end == 0 ? volume.axis(a).domain_begin() : volume.axis(a).domain_end();
+      if (grid.breaks[a][at[a] + end] == border &&
           model.face(grid.volume, 2 * a + end).is_collapsed())
         arms &= ~(1u << (2 * a + end));
+    }
   return arms;
 }
 
@@ -81,6 +84,13 @@ std::int32_t& number_at(Microstructure& micro, const GridWall& w) {
   MicroGrid& grid = micro.grids[w.grid];
   return grid.walls[w.axis][grid.wall_shape(w.axis).at(w.at)];
 }
+// A wall of 2 x 2 that lie in another wall of their volume.
+bool is_quarter(const Microstructure& micro, const WallPair& pair) {
+  const Rational half = Rational(1) / Rational(2);
+  const WallPlacement& p = (*pair.placements)[1];
+  return micro.grids[pair.walls[0].grid].volume == micro.grids[pair.walls[1].grid].volume &&
+         !p.is_swapped && p.scale[0] == half && p.scale[1] == half;
+}
 bool is_whole_square(const WallPlacement& p) {
   for (std::size_t k = 0; k < 2; ++k) {
     const bool is_plain = p.scale[k] == Rational(1) && p.offset[k] == Rational(0);
@@ -105,8 +115,7 @@ Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
                                  const std::array<std::uint64_t, 3>& counts,
                                  const std::vector<TileOfArms>& tiles, const ChooseTile& choose,
                                  std::uint64_t max_cells) {
-  Microstructure out;
-  TileKinds kinds(tiles, out.tiles);
+  std::vector<MicroGrid> grids;
   std::uint64_t left = max_cells;
   for (std::uint32_t v = 0; v < cage.size(); ++v) {
     std::uint64_t cells = 1;
@@ -118,15 +127,26 @@ Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
     left -= cells;
     Result<MicroGrid> grid = make_micro_grid(cage[v], v, counts);
     if (!grid) return grid.error();
-    for (std::size_t c = 0; c < grid->tiles.size(); ++c) {
-      const Result<std::size_t> choice = choose(cage[v], *grid, c);
-      if (!choice) return choice.error();
-      const Result<std::uint8_t> kind = kinds.with_arms(*choice, arms_of(model, *grid, c));
-      if (!kind) return kind.error();
-      grid->tiles[c] = *kind;
-    }
-    out.grids.push_back(std::move(*grid));
+    grids.push_back(std::move(*grid));
   }
+  return fill_grids(std::move(cage), model, std::move(grids), tiles, choose);
+}
+
+Result<Microstructure> fill_grids(std::vector<VVolume> cage, const VModel& model,
+                                  std::vector<MicroGrid> grids,
+                                  const std::vector<TileOfArms>& tiles, const ChooseTile& choose) {
+  Microstructure out;
+  TileKinds kinds(tiles, out.tiles);
+  for (MicroGrid& grid : grids)
+    for (std::size_t c = 0; c < grid.tiles.size(); ++c) {
+      const VVolume& volume = cage[grid.volume];
+      const Result<std::size_t> choice = choose(volume, grid, c);
+      if (!choice) return choice.error();
+      const Result<std::uint8_t> kind = kinds.with_arms(*choice, arms_of(volume, model, grid, c));
+      if (!kind) return kind.error();
+      grid.tiles[c] = *kind;
+    }
+  out.grids = std::move(grids);
   out.cage = std::move(cage);
   if (out.has_walls())
     for (MicroGrid& grid : out.grids)
@@ -141,7 +161,8 @@ Status number_walls(const VModel& model,
     for (auto& walls : grid.walls) std::fill(walls.begin(), walls.end(), kNoNumber);
   std::optional<Error> error;
   for_each_wall_pair(micro, model, [&](const WallPair& pair) {
-    if (pair.has_shared_number || !is_whole_square((*pair.placements)[1])) return true;
+    if (pair.has_shared_number) return true;
+    if (!is_whole_square((*pair.placements)[1]) && !is_quarter(micro, pair)) return true;
     const GridWall wall = grid_wall(micro, pair.walls[0]);
     std::int32_t& first = number_at(micro, wall);
     if (first == kNoNumber) {

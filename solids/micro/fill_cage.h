@@ -34,6 +34,13 @@ Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
                                  const std::vector<TileOfArms>& tiles, const ChooseTile& choose,
                                  std::uint64_t max_cells);
 
+/// The tiles of the cells of these grids, as fill_cage chooses them. REQUIRES grids without tiles, by volumes, whose
+/// boxes have no inner point in common.
+/// @error  as choose and the tiles
+Result<Microstructure> fill_grids(std::vector<VVolume> cage, const VModel& model,
+                                  std::vector<MicroGrid> grids,
+                                  const std::vector<TileOfArms>& tiles, const ChooseTile& choose);
+
 /// A wall of a grid: its grid, its axis, and its place among the walls across that axis.
 struct GridWall {
   std::uint32_t grid = 0;
@@ -41,7 +48,8 @@ struct GridWall {
   std::array<std::size_t, 3> at{};
 };
 /// Gives each wall of a cell with a tile its number, and the others 0. A wall that lies in two glued faces of the
-/// cage has one number, that of the first of its grids: the function is called once for it.
+/// cage has one number, that of the first of its grids: the function is called once for it. So has a wall of a grid with
+/// the 2 x 2 walls of another grid of its volume that lie in it.
 /// @error that of the function
 /// REQUIRES micro.has_walls(), and that the model is that of the cage.
 Status number_walls(const VModel& model,

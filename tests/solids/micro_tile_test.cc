@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "solids/micro/bifurcation.h"
 #include "solids/micro/frame.h"
 #include "solids/micro/tile_analysis.h"
 #include "tests/support/micro_cells.h"
@@ -135,6 +136,35 @@ TEST(Frame, RefusesBarsThatLeaveNoWindow) {
   shape = {};
   shape.arms = 64;
   EXPECT_EQ(frame_tile(shape).error().code, Code::kBadArgument);
+}
+
+JackShape bifurcation(int degree, unsigned arms = 31) {
+  JackShape shape;
+  shape.degree = degree;
+  shape.arms = arms;
+  return shape;
+}
+TEST(Bifurcation, HasFourCapsOnTopAndIsAStarIfItIsStraight) {
+  for (const int degree : {1, 3})
+    for (const unsigned arms : {31u, 0u, 16u, 5u}) {
+      const AnalysedTile tile = analysed(bifurcation_tile(bifurcation(degree, arms)).value());
+      EXPECT_EQ(tile.surface.euler(), 2);
+      EXPECT_EQ(tile.is_star(), degree == 1) << arms;
+      for (std::size_t wall = 0; wall < 5; ++wall)
+        EXPECT_EQ(tile.caps_of_wall[wall].size(), arms >> wall & 1u);
+      EXPECT_EQ(tile.caps_of_wall[5].size(), 4u);
+    }
+}
+TEST(Bifurcation, IsAStarForEveryNumberOfItsRange) {
+  JackShape shape = bifurcation(1);
+  shape.range = {{kMaxWallNumber / 16, kMaxWallNumber / 4}};
+  EXPECT_TRUE(analysed(bifurcation_tile(shape).value()).is_star());
+  shape.degree = 3;
+  EXPECT_TRUE(analysed(bifurcation_tile(shape).value()).is_star());
+}
+TEST(Bifurcation, RefusesAnArmToItsTop) {
+  EXPECT_EQ(bifurcation_tile(bifurcation(1, 63)).error().code, Code::kBadArgument);
+  EXPECT_EQ(bifurcation_tile(bifurcation(2)).error().code, Code::kBadArgument);
 }
 
 TEST(TileAnalysis, ABoxBetweenTwoWallsHasTwoCaps) {

@@ -256,7 +256,7 @@ class MicroRun {
     if (!grids) return grids.error();
     return fill_grids(cage_, *model_, std::move(*grids), makers(), choose);
   }
-  // Of the tiles, and at the end, if cells are doubled, of the tile before them.
+  // What makes the tiles, and at the end, if cells are doubled, the tile before them.
   std::vector<TileOfArms> makers() const {
     std::optional<std::array<std::int32_t, 2>> range;
     if (options_.thickness) range = kCapLimits;
@@ -481,7 +481,7 @@ RunCommand declare_micro(OptionSet& set) {
   set.repeatable(
       "--tile", "TILE",
       [o = o.get()](const std::string& text) { return take_tile(text, o->tiles); },
-      "jack[,node=1/5][,cap=1/8][,degree=3], frame, branch, or a file");
+      "jack[,node=1/5][,...], branch, frame, or a file");
   set.option(
       "--counts", "K,M,N",
       [o = o.get()](const std::string& text) { return take_counts(text, o->counts); },

@@ -74,8 +74,9 @@ class BifurcationMaker {
     maker_.add(kTopWall, {1, 1}, {c[0], c[3], c[1], c[2]});
   }
 
-  // The way from a corner on the node to one of the cap. Of degree 3, its last third is straight along w; in a family it
-  // is straight from end to end, because a sheet along w that faces the axis is seen from no point of the axis.
+  // The way from a corner on the node to one of the cap. With the degree 3 its last third is straight along w; in a
+  // family it is straight from end to end, because a sheet along w that faces the axis is seen from no point of the
+  // axis.
   std::vector<JackPoint> way(const JackPoint& from, const JackPoint& to) const {
     std::vector<JackPoint> out;
     const bool is_bent = shape_.degree == 3 && !shape_.range.has_value();

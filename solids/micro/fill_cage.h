@@ -48,8 +48,8 @@ struct GridWall {
   std::array<std::size_t, 3> at{};
 };
 /// Gives each wall of a cell with a tile its number, and the others 0. A wall that lies in two glued faces of the
-/// cage has one number, that of the first of its grids: the function is called once for it. So has a wall of a grid with
-/// the 2 x 2 walls of another grid of its volume that lie in it.
+/// cage has one number, that of the first of its grids: the function is called once for it. So have a wall of a grid
+/// and the 2 x 2 walls of another grid of its volume that lie in it.
 /// @error that of the function
 /// REQUIRES micro.has_walls(), and that the model is that of the cage.
 Status number_walls(const VModel& model,

@@ -39,7 +39,7 @@ def blocks(cells, lines=LINES):
 
 
 def decimal(text):
-    """The same number in binary, if it is one with a power of two for its denominator."""
+    """The number as a float, which is exact if its denominator is a power of two."""
     top, _, bottom = text.partition("/")
     return int(top) / int(bottom or 1)
 

@@ -34,14 +34,26 @@ Finding tile_reason(const char* code, std::string message) {
   return out;
 }
 
+// The message with patches in the place of entities, which they are in the model of the tile.
+Finding about_patches(Finding finding) {
+  for (const auto& [from, to] :
+       {std::pair{"entities ", "patches "}, std::pair{"entity ", "patch "}}) {
+    const std::string word = from;
+    for (std::size_t at = finding.message.find(word); at != std::string::npos;
+         at = finding.message.find(word, at))
+      finding.message.replace(at, word.size(), to);
+  }
+  return finding;
+}
+
 // What is against a tile whose patches were decided; nothing if they bound one body with one shell.
 std::optional<Finding> fault_of(const FilePatches& patches, const PatchDecision& decision) {
   if (decision.refutation.has_value()) {
     if (std::holds_alternative<ReversedShell>(*decision.refutation))
       return tile_reason("inside-out", "the normals of the patches do not point out of the tile");
-    return finding_of(*patches.complex, patches.entities, *decision.refutation);
+    return about_patches(finding_of(*patches.complex, patches.entities, *decision.refutation));
   }
-  if (!decision.is_valid) return *decision.open;
+  if (!decision.is_valid) return about_patches(*decision.open);
   if (decision.shells.size() != 1)
     return tile_reason("several-shells", "the surface has " +
                                              std::to_string(decision.shells.size()) +

@@ -10,7 +10,7 @@
 
 namespace veritope::internal {
 
-/// The values of kWallVariables at a point of the volume's parameters; x, y and z are 0 if the formula has none of them.
+/// The values of kWallVariables at a point of the volume's parameters; x, y and z are 0 if the formula depends on none.
 std::vector<Rational> formula_values(const RealFormula& formula, const VVolume& volume,
                                      const std::array<Rational, 3>& at);
 

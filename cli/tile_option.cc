@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "io/base/exact_number.h"
+#include "io/itd_polygons.h"
 #include "io/read_model.h"
 #include "io/tile_file.h"
 #include "solids/micro/bifurcation.h"
@@ -89,12 +90,24 @@ bool may_need_quadrilaterals(const MicroTile& tile) {
 }
 
 Result<MicroTile> read_tile_file(const std::string& path, const ModelReadOptions& reading) {
-  Result<ModelFile> file = read_model_file(path, reading);
+  const Result<ModelBytes> bytes = load_model(path, reading);
+  if (!bytes) return bytes.error();
+  const Result<ModelFile> file = read_model(*bytes, reading);
   if (!file) return file.error();
-  const std::string name = path.substr(path.find_last_of('/') + 1);
-  Result<MicroTile> tile = tile_of(*file, name, TileFacets::kFewest);
+  std::optional<MeshFile> polygons;
+  if (has_polygons_and_splines(*file)) {
+    Result<MeshFile> mesh = read_itd_polygons(source_of(bytes->bytes, bytes->name),
+                                              std::get<SplineFile>(*file), reading.limits);
+    if (!mesh) return mesh.error();
+    polygons.emplace(std::move(*mesh));
+  }
+  const auto with = [&](TileFacets facets) {
+    return tile_of(*file, path.substr(path.find_last_of('/') + 1), facets,
+                   polygons ? &*polygons : nullptr);
+  };
+  Result<MicroTile> tile = with(TileFacets::kFewest);
   if (!tile || !may_need_quadrilaterals(*tile)) return tile;
-  Result<MicroTile> finer = tile_of(*file, name, TileFacets::kQuadrilaterals);
+  Result<MicroTile> finer = with(TileFacets::kQuadrilaterals);
   return finer ? std::move(finer) : std::move(tile);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -136,10 +137,14 @@ std::vector<TilePatch> patches_of_facets(const std::vector<TileFacet>& facets, T
       add_parts({q.begin(), q.end()}, out);
   }
   for (const TileFacet& t : triangles) {
-    if (how == TileFacets::kFewest)
-      out.push_back(bilinear(t.corners[0], t.corners[1], t.corners[2], t.corners[2]));
-    else
+    if (how == TileFacets::kQuadrilaterals) {
       add_parts({t.corners.begin(), t.corners.end()}, out);
+      continue;
+    }
+    // The side at the greatest corner is collapsed, so that triangles that face each other are equal.
+    std::array<TilePoint, 3> c = t.corners;
+    std::rotate(c.begin(), std::next(std::max_element(c.begin(), c.end())), c.end());
+    out.push_back(bilinear(c[0], c[1], c[2], c[2]));
   }
   return out;
 }

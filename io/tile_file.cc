@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,10 +13,11 @@
 #include "io/tile_facets_internal.h"
 #include "solids/micro/micro_validity.h"
 #include "splines/bezier_triangle.h"
-#include "splines/binomial.h"
 
 namespace veritope {
 namespace {
+
+constexpr const char* kPolygonsOfFile = "polygons";  // LeftOut::what
 
 Error over_tile_limit(std::uint64_t count, const std::string& what, std::uint64_t most) {
   return Error{
@@ -85,42 +86,50 @@ Result<TilePatch> tile_patch_of(const Patch& patch, const std::string& where) {
   return out;
 }
 
-// Bits of the patch in degree-independent form, turned so that the text is least: equal texts, equal oriented patches.
-std::string oriented_key(const Patch& patch) {
+// Whether a patch, turned so that another corner comes first, is another one: the least text of its turns.
+std::string oriented_key(const TilePatch& patch, bool is_reversed) {
+  const std::vector<TilePoint>& points = patch.points.front();
   std::string least;
-  for (std::uint32_t by = 0; by < patch.num_sides(); ++by) {
-    const Patch t = turned(patch, by);
-    std::string text = std::to_string(t.num_sides()) + ":";
-    if (!t.is_triangle())
-      text += std::to_string(t.tensor().degree(0)) + "," + std::to_string(t.tensor().degree(1));
-    for (const Rational& x : t.coefficients()) text += ";" + x.to_string();
-    if (by == 0 || text < least) least = std::move(text);
+  for (unsigned turn = 0; turn < 4; ++turn) {
+    // The points in rows from a corner, first along one of its sides: turns keep the hand, exchanged axes do not.
+    const bool is_swapped = (turn % 2 == 1) != is_reversed;
+    const int p = patch.degrees[is_swapped ? 1 : 0], q = patch.degrees[is_swapped ? 0 : 1];
+    std::string text = std::to_string(p) + "," + std::to_string(q);
+    for (int i = 0; i <= p; ++i)
+      for (int j = 0; j <= q; ++j) {
+        const int a = turn == 1 || turn == 2 ? p - i : i, b = turn >= 2 ? q - j : j;
+        const int row = is_swapped ? b : a, column = is_swapped ? a : b;
+        for (const Rational& x :
+             points[static_cast<std::size_t>(row * (patch.degrees[1] + 1) + column)])
+          text += ";" + x.to_string();
+      }
+    if (turn == 0 || text < least) least = std::move(text);
   }
   return least;
 }
 
 // Leaves out pairs of equal patches with opposite normals.
-std::vector<Patch> without_inner_walls(const std::vector<Patch>& patches) {
+std::vector<TilePatch> without_inner_walls(std::vector<TilePatch> patches) {
   std::map<std::string, std::vector<std::size_t>> open;
   std::vector<bool> is_inner(patches.size());
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    const auto at = open.find(oriented_key(reversed(patches[i])));
+    const auto at = open.find(oriented_key(patches[i], true));
     if (at != open.end() && !at->second.empty()) {
       is_inner[i] = is_inner[at->second.back()] = true;
       at->second.pop_back();
     } else {
-      open[oriented_key(patches[i])].push_back(i);
+      open[oriented_key(patches[i], false)].push_back(i);
     }
   }
-  std::vector<Patch> out;
+  std::vector<TilePatch> out;
   for (std::size_t i = 0; i < patches.size(); ++i)
-    if (!is_inner[i]) out.push_back(patches[i]);
+    if (!is_inner[i]) out.push_back(std::move(patches[i]));
   return out;
 }
 
-Result<std::vector<Patch>> tile_patches_of(const SplineFile& file) {
+Result<std::vector<Patch>> tile_patches_of(const SplineFile& file, bool has_polygons) {
   for (const LeftOut& left : file.left_out)
-    if (left.is_geometry)
+    if (left.is_geometry && !(has_polygons && left.what == kPolygonsOfFile))
       return bad_argument("the file has " + left.what +
                           ", which are no part of a tile: surfaces, triangles and volumes are");
   SplineModel volumes, others;
@@ -143,52 +152,42 @@ Result<std::vector<Patch>> tile_patches_of(const SplineFile& file) {
     if (!faces) return faces.error();
     for (SplineEntity& face : faces->model.entities) others.entities.push_back(std::move(face));
   }
+  if (others.entities.empty() && has_polygons) return std::vector<Patch>();
   if (others.entities.empty()) return Error{Code::kEmpty, {}, "the file has no surface"};
   Result<PatchSource> source = patch_source(others);
   if (!source) return source.error();
   if (!source->foreign.empty())
     return bad_argument("the file has " + to_string(source->foreign[0]));
-  return without_inner_walls(source->patches);
+  return std::move(source->patches);
 }
 
-std::vector<internal::TileFacet> facets_of(const std::vector<Patch>& patches,
-                                           std::vector<TilePatch>& curved) {
-  std::vector<internal::TileFacet> out;
-  for (std::size_t i = 0; i < patches.size(); ++i) {
-    if (!patches[i].is_flat_triangle()) continue;
-    const std::vector<TilePoint>& p = curved[i].points.front();
-    out.push_back({{p[0], p[2], p[3]}, std::nullopt});
-  }
-  return out;
-}
+struct TileParts {
+  std::vector<TilePatch> curved;
+  std::vector<internal::TileFacet> facets;
+};
 
-Result<MicroTile> tile_of_splines(const SplineFile& file, TileFacets facets) {
-  Result<std::vector<Patch>> patches = tile_patches_of(file);
+std::optional<Error> add_splines(const SplineFile& file, bool has_polygons, TileParts& parts) {
+  Result<std::vector<Patch>> patches = tile_patches_of(file, has_polygons);
   if (!patches) return patches.error();
-  if (patches->size() > kMaxTilePatches) return too_many_tile_patches(patches->size());
-  std::vector<TilePatch> all;
+  if (patches->size() > 2 * kMaxTilePatches) return too_many_tile_patches(patches->size());
   for (const Patch& patch : *patches) {
     Result<TilePatch> made = tile_patch_of(patch, to_string(patch.origin()));
     if (!made) return made.error();
-    all.push_back(std::move(*made));
+    if (patch.is_flat_triangle()) {
+      const std::vector<TilePoint>& p = made->points.front();
+      parts.facets.push_back({{p[0], p[2], p[3]}, std::nullopt});
+    } else {
+      parts.curved.push_back(std::move(*made));
+    }
   }
-  MicroTile out;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (!(*patches)[i].is_flat_triangle()) out.patches.push_back(all[i]);
-  const bool has_others = !out.patches.empty();
-  // Other patches keep their sides whole, so that those of triangles cannot be cut.
-  for (TilePatch& p : internal::patches_of_facets(facets_of(*patches, all),
-                                                  has_others ? TileFacets::kFewest : facets))
-    out.patches.push_back(std::move(p));
-  return out;
+  return std::nullopt;
 }
 
-Result<MicroTile> tile_of_mesh(const MeshFile& file, TileFacets facets) {
+std::optional<Error> add_mesh(const MeshFile& file, TileParts& parts) {
   if (file.mesh.faces.size() > 2 * kMaxTilePatches)
     return over_tile_limit(file.mesh.faces.size(), " triangles", 2 * kMaxTilePatches);
-  std::vector<internal::TileFacet> all;
   for (std::size_t f = 0; f < file.mesh.faces.size(); ++f) {
-    internal::TileFacet& facet = all.emplace_back();
+    internal::TileFacet& facet = parts.facets.emplace_back();
     for (std::size_t c = 0; c < 3; ++c) {
       const Vec3d& p = file.mesh.positions[file.mesh.faces[f][c]];
       facet.corners[c] = {Rational::from_double(p.x), Rational::from_double(p.y),
@@ -196,23 +195,38 @@ Result<MicroTile> tile_of_mesh(const MeshFile& file, TileFacets facets) {
     }
     if (!file.polygon_of_face.empty()) facet.polygon = file.polygon_of_face[f];
   }
-  MicroTile out;
-  out.patches = internal::patches_of_facets(all, facets);
-  return out;
+  return std::nullopt;
 }
 
 }  // namespace
 
-Result<MicroTile> tile_of(const ModelFile& file, const std::string& name, TileFacets facets) {
-  Result<MicroTile> out = bad_argument("the file is a microstructure, not a tile");
+bool has_polygons_and_splines(const ModelFile& file) {
+  const auto* const splines = std::get_if<SplineFile>(&file);
+  return splines != nullptr && splines->format == SplineFormat::kItd &&
+         std::any_of(splines->left_out.begin(), splines->left_out.end(),
+                     [](const LeftOut& l) { return l.what == kPolygonsOfFile; });
+}
+
+Result<MicroTile> tile_of(const ModelFile& file, const std::string& name, TileFacets facets,
+                          const MeshFile* polygons) {
+  TileParts parts;
+  std::optional<Error> error = bad_argument("the file is a microstructure, not a tile");
   if (const auto* const mesh = std::get_if<MeshFile>(&file))
-    out = tile_of_mesh(*mesh, facets);
+    error = add_mesh(*mesh, parts);
   else if (const auto* const splines = std::get_if<SplineFile>(&file))
-    out = tile_of_splines(*splines, facets);
-  if (!out) return out;
-  out->name = name;
-  if (out->patches.size() > kMaxTilePatches) return too_many_tile_patches(out->patches.size());
-  if (Status status = check_tile(*out, 0); !status) return status.error();
+    error = add_splines(*splines, polygons != nullptr, parts);
+  if (!error && polygons != nullptr) error = add_mesh(*polygons, parts);
+  if (error) return *error;
+  // Other patches keep their sides whole, so that those of triangles cannot be cut.
+  if (!parts.curved.empty()) facets = TileFacets::kFewest;
+  MicroTile out;
+  out.name = name;
+  out.patches = std::move(parts.curved);
+  for (TilePatch& p : internal::patches_of_facets(parts.facets, facets))
+    out.patches.push_back(std::move(p));
+  out.patches = without_inner_walls(std::move(out.patches));
+  if (out.patches.size() > kMaxTilePatches) return too_many_tile_patches(out.patches.size());
+  if (Status status = check_tile(out, 0); !status) return status.error();
   return out;
 }
 

@@ -25,6 +25,11 @@ enum class TileFacets {
 /// Nothing is decided: see analyse_tile. `name` becomes that of the tile.
 /// @error kBadArgument, with the entity: curves, trimmed surfaces, rational patches, shapes that were left out when the
 ///        file was read, a microstructure; what check_tile refuses. kOverLimit: more than kMaxTilePatches patches
-Result<MicroTile> tile_of(const ModelFile& file, const std::string& name, TileFacets facets);
+/// @param polygons  those of an .itd file that has splines, too (has_polygons_and_splines); else null
+Result<MicroTile> tile_of(const ModelFile& file, const std::string& name, TileFacets facets,
+                          const MeshFile* polygons = nullptr);
+
+/// Whether read_itd_polygons reads something of the file that the model does not hold.
+bool has_polygons_and_splines(const ModelFile& file);
 
 }  // namespace veritope

@@ -157,6 +157,22 @@ class MicroTiles(support.Folder):
         report = self.micro(self.vjson("mixed.vjson", mixed), counts="3,2,1")
         self.assertEqual((report["components"], report["glued_caps"], report["genus"]), (2, 4, 6))
 
+    def test_an_itd_file_of_volumes_and_polygons_is_a_tile(self):
+        solid, rest = RING[:4], RING[4:]
+        points, faces = blocks(rest)
+        # Polygons turn clockwise there; one of them is two triangles.
+        rings = [list(reversed(f)) for f in faces[1:]] + [list(reversed(t)) for t in triangles(faces[:1])]
+
+        def row(p):
+            return "[" + " ".join(str(decimal(x)) for x in p) + "]"
+        polygons = "\n".join(f"[POLYGON {len(f)} " + " ".join(row(points[i]) for i in f) + "]" for f in rings)
+        self.vjson("solid.vjson", [block_volume(c) for c in solid])
+        self.assertEqual(run("convert", self.folder / "solid.vjson", self.folder / "solid.itd").returncode, 0)
+        splines = (self.folder / "solid.itd").read_text().rstrip()
+        mixed = self.file("mixed.itd", splines + "\n[OBJECT MESH\n" + polygons + "\n]\n")
+        report = self.micro(mixed, counts="3,2,1")
+        self.assertEqual((report["components"], report["glued_caps"], report["genus"]), (2, 4, 6))
+
     def test_curved_triangles_are_tiles(self):
         # An octahedron whose edges are bent outward.
         ends = [[sign * (axis == k) for k in range(3)] for axis in range(3) for sign in (-1, 1)]

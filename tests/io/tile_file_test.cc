@@ -114,6 +114,37 @@ TEST(TileFile, EqualPatchesThatFaceEachOtherAreLeftOut) {
   EXPECT_EQ(tile_of(ModelFile(file), "", TileFacets::kFewest)->patches.size(), 3u);
 }
 
+TEST(TileFile, SolidsThatShareATriangleAreOne) {
+  for (std::size_t turn = 0; turn < 3; ++turn) {
+    MeshFile file;  // two tetrahedra on the triangle 0 1 2, which occurs twice
+    file.mesh.positions = {{0.25, 0.25, 0.5},
+                           {0.75, 0.25, 0.5},
+                           {0.25, 0.75, 0.5},
+                           {0.25, 0.25, 0.9},
+                           {0.375, 0.375, 0.1}};
+    file.mesh.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3},
+                       {0, 1, 2}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}};
+    auto& face = file.mesh.faces[4];
+    std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(turn), face.end());
+    const MicroTile t = tile(file);
+    EXPECT_EQ(t.patches.size(), 6u);
+    EXPECT_TRUE(is_closed(t));
+  }
+}
+// So that the caps of opposite walls are equal.
+TEST(TileFile, TrianglesAreEqualWhateverCornerComesFirst) {
+  std::vector<std::vector<TilePatch>> all;
+  for (std::size_t turn = 0; turn < 3; ++turn) {
+    MeshFile file;
+    file.mesh.positions = {{0, 0.25, 0.25}, {0, 0.75, 0.25}, {0, 0.25, 0.75}};
+    file.mesh.faces = {{0, 2, 1}};
+    auto& face = file.mesh.faces[0];
+    std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(turn), face.end());
+    all.push_back(tile(file).patches);
+    EXPECT_EQ(all.back(), all.front());
+  }
+}
+
 TEST(TileFile, RefusesWhatIsNoTile) {
   const auto error = [](const ModelFile& file) {
     return tile_of(file, "t", TileFacets::kFewest).error();

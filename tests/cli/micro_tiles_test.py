@@ -207,6 +207,40 @@ class MicroTiles(support.Folder):
         report = self.micro(ring, counts="8,2,1", options=("--model", solid))
         self.assertEqual({k: v for k, v in report["tiles"].items() if v}, {"total": 16, "touching": 8, "outside": 8})
 
+    def test_a_bubble_of_the_model_in_the_hollow_of_a_frame_does_no_harm(self):
+        def cube(low, high, turned, first):
+            ends = (low, high)
+            corners = [f"{x} {y} {z}" for z in ends for y in ends for x in ends]
+            faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+            return corners, ["4 " + " ".join(str(first + i) for i in (f[::-1] if turned else f)) for f in faces]
+        # The eight inner cells of length 2 lie in the solid; the bubble is in the middle of one of them.
+        outer, inner = cube(0.5, 7.5, False, 0), cube(2.9, 3.1, True, 8)
+        solid = self.file("bubble.off", "\n".join(["OFF", "16 12 0", *outer[0], *inner[0], *outer[1], *inner[1]]) + "\n")
+        report = self.micro("frame", counts="4,4,4", options=("--model", solid))
+        self.assertEqual((report["tiles"]["kept"], report["tiles"]["crossing"], report["genus"]), (8, 56, 61))
+        report = self.micro("jack", counts="4,4,4", options=("--model", solid))
+        self.assertEqual((report["tiles"]["kept"], report["tiles"]["crossing"]), (7, 57))
+
+    def test_cells_are_doubled_from_a_layer_on(self):
+        # 8 tiles and 12 links, 16 links, 16 tiles and 24 links.
+        for tile in ("jack", "jack,degree=1"):
+            for options in ((), ("--thickness", "1/10+u*v/20+w/50")):
+                report = self.micro(tile, counts="2,2,3", options=("--double", "w=2", *options))
+                self.assertEqual((report["tiles"]["total"], report["glued_caps"], report["components"]), (24, 52, 1))
+                self.assertEqual(report["genus"], 52 - 24 + 1)
+        report = self.micro("jack", "frame", counts="1,1,2", options=("--double", "w=1", "--place", "0"))
+        self.assertEqual((report["tiles"]["total"], report["genus"]), (5, 4 + 4 - 5 + 1))
+        solid = self.file("solid.off", "OFF\n8 6 0\n" + "".join(f"{x} {y} {z}\n" for z in (1, 7) for y in (1, 7) for x in (1, 7)) +
+                          "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n")
+        listed, mesh = self.folder / "cells.csv", self.folder / "out.ply"
+        report = self.micro("jack,degree=1", counts="4,4,8", options=("--double", "w=4", "--model", solid, "--list", listed, "--mesh", mesh, "--chord", "0.1"))
+        self.assertEqual(len(listed.read_text().splitlines()), 1 + 4 * 16 + 4 * 64)
+        self.assertEqual(support.only_file(mesh)["counts"]["genus"], report["genus"])
+        for options, why in ((("--double", "w=2"), "needs a layer below"), (("--double", "w=0"), "needs w=L"), (("--double", "u=1"), "needs w=L")):
+            self.assertIn(why, " ".join(self.micro("jack", counts="2,2,2", options=options, expect=2).split()))
+        self.assertIn("needs a jack", self.micro("frame", counts="2,2,2", options=("--double", "w=1"), expect=2))
+        self.assertIn("needs a jack", self.micro("frame", options=("--thickness", "1/8"), expect=2))
+
     def test_tiles_are_placed_by_a_formula(self):
         tiles = ("jack,degree=1", "frame,bar=1/4,margin=1/10")
         report = self.micro(*tiles, counts="3,3,3", options=("--place", "min(1, 3*u)"))

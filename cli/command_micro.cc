@@ -22,13 +22,16 @@
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
 #include "solids/micro/bridge/build_bridges.h"
+#include "solids/micro/doubled_grids.h"
 #include "solids/micro/measure/cage_scale.h"
 #include "solids/micro/measure/micro_volume.h"
 #include "solids/micro/mesh/micro_mesh.h"
 #include "solids/micro/synthesis/filter_tiles.h"
 #include "solids/micro/synthesis/material.h"
+#include "solids/micro/synthesis/tile_places.h"
 #include "solids/micro/synthesis/wall_thickness.h"
 #include "solids/vmodel/v_parts.h"
+#include "verify/certify/tile_certifier.h"
 #include "verify/certify/vmodel_certifier.h"
 #include "verify/format/sha256.h"
 
@@ -41,11 +44,11 @@ constexpr std::array<std::int32_t, 2> kCapLimits = {1, kMaxWallNumber / 2 - 1};
 
 struct MicroOptions {
   std::optional<std::string> cage, model;
-  JackShape jack;
-  bool has_tile = false;
+  std::vector<TileChoice> tiles;
   std::optional<std::array<std::uint64_t, 3>> counts;
-  std::optional<RealFormula> thickness;
+  std::optional<RealFormula> thickness, place;
   std::vector<std::pair<std::string, RealFormula>> materials;  // names and formulas
+  std::optional<std::uint64_t> doubled_from;                   // a layer of w
   std::optional<std::string> output, list, mesh, emit, json;
   std::optional<double> chord, skin;
   BridgeChoice bridge;
@@ -88,11 +91,16 @@ std::string take_material(const std::string& text, MicroOptions& options) {
   return "";
 }
 
-std::string take_thickness(const std::string& text, MicroOptions& options) {
+std::string take_formula(const std::string& text, std::optional<RealFormula>& to) {
   Result<RealFormula> formula = formula_of(text);
   if (!formula) return "is not a formula: " + formula.error().message;
-  options.thickness = std::move(*formula);
+  to = std::move(*formula);
   return "";
+}
+
+bool has_jack(const std::vector<TileChoice>& tiles) {
+  return std::any_of(tiles.begin(), tiles.end(),
+                     [](const TileChoice& t) { return std::holds_alternative<JackShape>(t); });
 }
 
 class MicroRun {
@@ -103,9 +111,10 @@ class MicroRun {
   ExitCode run() {
     if (const Status status = check_outputs(); !status) return fail(status.error());
     for (const auto step :
-         {&MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill, &MicroRun::analyse,
-          &MicroRun::filter, &MicroRun::build, &MicroRun::connect, &MicroRun::find_topology,
-          &MicroRun::add_materials, &MicroRun::measure, &MicroRun::make_mesh, &MicroRun::emit})
+         {&MicroRun::read_tiles, &MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill,
+          &MicroRun::analyse, &MicroRun::filter, &MicroRun::build, &MicroRun::connect,
+          &MicroRun::find_topology, &MicroRun::add_materials, &MicroRun::measure,
+          &MicroRun::make_mesh, &MicroRun::emit})
       if (const ExitCode exit = (this->*step)(); exit != kExitValid) return conclude(exit);
     return conclude(write());
   }
@@ -114,6 +123,8 @@ class MicroRun {
   std::vector<std::string> inputs() const {
     std::vector<std::string> out = {*options_.cage};
     if (options_.model) out.push_back(*options_.model);
+    for (const TileChoice& tile : options_.tiles)
+      if (const auto* const file = std::get_if<TileFile>(&tile)) out.push_back(file->path);
     return out;
   }
   Status check_outputs() const {
@@ -226,16 +237,23 @@ class MicroRun {
     return refute(std::move(defect), escape.is_certain ? kExitInvalid : kExitUndecided);
   }
 
+  ExitCode read_tiles() {
+    choices_ = options_.tiles;
+    const Status read = read_tile_files(options_.reading, choices_);
+    return read ? kExitValid : refuse(read.error());
+  }
   ExitCode fill() {
-    JackShape shape = options_.jack;
-    if (options_.thickness) shape.range = kCapLimits;
-    Result<Microstructure> filled = fill_cage(
-        cage_, *model_, *options_.counts,
-        [&](unsigned arms) {
-          shape.arms = arms;
-          return jack_tile(shape);
-        },
-        options_.max_tiles);
+    std::optional<Error> misplaced;
+    Result<Microstructure> filled = filled_cage(
+        [&, places = places()](const VVolume& volume, const MicroGrid& grid, std::uint64_t cell) {
+          if (options_.doubled_from && is_before_doubling(volume, grid, cell))
+            return Result<std::size_t>(choices_.size());
+          if (places == nullptr) return Result<std::size_t>(0);
+          Result<std::size_t> number = (*places)(volume, grid, cell);
+          if (!number) misplaced = number.error();
+          return number;
+        });
+    if (misplaced) return refute({"place", {}, {}, {}, misplaced->message});
     if (!filled) {
       Error error = filled.error();
       if (error.code == Code::kOverLimit) error.message += " (--max-tiles)";
@@ -248,6 +266,32 @@ class MicroRun {
     if (!options_.thickness || !micro_.has_walls()) return kExitValid;
     const Status numbered = number_walls_by(*options_.thickness, *model_, kCapLimits, micro_);
     return numbered ? kExitValid : refute({"thickness", {}, {}, {}, numbered.error().message});
+  }
+  Result<Microstructure> filled_cage(const ChooseTile& choose) const {
+    const std::array<std::uint64_t, 3>& counts = *options_.counts;
+    if (!options_.doubled_from)
+      return fill_cage(cage_, *model_, counts, makers(), choose, options_.max_tiles);
+    Result<std::vector<MicroGrid>> grids =
+        make_doubled_grids(cage_, counts, *options_.doubled_from, options_.max_tiles);
+    if (!grids) return grids.error();
+    return fill_grids(cage_, *model_, std::move(*grids), makers(), choose);
+  }
+  // What makes the tiles, and at the end, if cells are doubled, the tile before them.
+  std::vector<TileOfArms> makers() const {
+    std::optional<std::array<std::int32_t, 2>> range;
+    if (options_.thickness) range = kCapLimits;
+    std::vector<TileOfArms> out;
+    for (const TileChoice& choice : choices_)
+      out.push_back([&choice, range](unsigned arms) { return make_tile(choice, arms, range); });
+    if (options_.doubled_from)
+      out.push_back([&first = choices_.front(), range](unsigned arms) {
+        return make_bifurcation(first, arms, range);
+      });
+    return out;
+  }
+  std::shared_ptr<TilePlaces> places() const {
+    if (!options_.place) return nullptr;
+    return std::make_shared<TilePlaces>(*options_.place, choices_.size());
   }
   static std::string file_name(const std::string& path) {
     return path.substr(path.find_last_of('/') + 1);
@@ -262,8 +306,19 @@ class MicroRun {
                        {},
                        d->wall ? std::optional(v_face_name(static_cast<std::size_t>(*d->wall)))
                                : std::nullopt,
-                       "tile " + micro_.tiles[k].name + ": " + d->condition + ": " + d->message});
+                       "tile " + micro_.tiles[k].name + ": " + d->condition + ", " +
+                           defect_in_words(*d) + ": " + d->message});
       tiles_.push_back(std::get<AnalysedTile>(std::move(analysed)));
+      if (tiles_.back().is_star()) continue;
+      const auto boxes = star_boxes_of(tiles_.back().tile);
+      if (const auto* const finding = std::get_if<Finding>(&boxes))
+        return refute({"F3",
+                       k,
+                       {},
+                       {},
+                       "tile " + micro_.tiles[k].name +
+                           ": F3, the patches do not bound one solid: " + finding->code + ": " +
+                           finding->message});
     }
     return kExitValid;
   }
@@ -494,6 +549,7 @@ class MicroRun {
   std::vector<ExactVolume> cage_;
   std::optional<VModel> model_;
   std::unique_ptr<const MicroSolid> solid_;
+  std::vector<TileChoice> choices_;
   Microstructure micro_;
   std::vector<AnalysedTile> tiles_;
   std::vector<GridStatus> statuses_;
@@ -508,23 +564,30 @@ RunCommand declare_micro(OptionSet& set) {
   const auto o = std::make_shared<MicroOptions>();
   o->reading.jobs = default_jobs();
   set.text("--cage", o->cage, "a file of volumes, whose parameters hold the cells");
-  set.option(
+  set.repeatable(
       "--tile", "TILE",
-      [o = o.get()](const std::string& text) {
-        o->has_tile = true;
-        return take_jack(text, o->jack);
-      },
-      "jack[,node=1/5][,cap=1/8][,degree=3]: a cube, six arms");
+      [o = o.get()](const std::string& text) { return take_tile(text, o->tiles); },
+      "jack[,node=1/5][,...], branch, frame, or a file");
   set.option(
       "--counts", "K,M,N",
       [o = o.get()](const std::string& text) { return take_counts(text, o->counts); },
       "cells along the three axes of each volume");
   set.text("--model", o->model, "keep tiles in the interior of this solid only");
   set.option(
+      "--place", "EXPR",
+      [o = o.get()](const std::string& text) { return take_formula(text, o->place); },
+      "the number of each cell's tile, from 0");
+  set.hide("--place");
+  set.option(
+      "--double", "w=L",
+      [o = o.get()](const std::string& text) { return take_doubling(text, o->doubled_from); },
+      "cells half as wide along u and v from layer L of w on");
+  set.hide("--double");
+  set.option(
       "--thickness", "EXPR",
-      [o = o.get()](const std::string& text) { return take_thickness(text, *o); },
+      [o = o.get()](const std::string& text) { return take_formula(text, o->thickness); },
       "half the width of arms at each wall, from x y z u v w");
-  set.repeated_option(
+  set.repeatable(
       "--material", "NAME=EXPR",
       [o = o.get()](const std::string& text) { return take_material(text, *o); },
       "a property of the points, from x y z u v w; any number of them");
@@ -542,11 +605,17 @@ RunCommand declare_micro(OptionSet& set) {
   declare_reading(set, o->reading);
   set.rule([o]() -> std::string {
     if (!o->cage) return "--cage is required, a spline file of volumes";
-    if (!o->has_tile) return "--tile is required, such as jack";
+    if (o->tiles.empty()) return "--tile is required, such as jack";
+    if (o->tiles.size() > 1 && !o->place) return "several tiles need --place, a formula";
     if (!o->counts) return "--counts is required, such as 10,10,10";
     if (const std::string why = o->bridge.fault(o->model.has_value(), o->skin.has_value());
         !why.empty())
       return why;
+    if (o->thickness && !has_jack(o->tiles)) return "--thickness needs a jack or a branch";
+    if (o->doubled_from && !std::holds_alternative<JackShape>(o->tiles.front()))
+      return "--double needs a jack as its first tile";
+    if (o->doubled_from && *o->doubled_from >= (*o->counts)[2])
+      return "--double needs a layer below the count of layers, " + std::to_string((*o->counts)[2]);
     if (!o->output) return "-o OUT.vmicro is required, the file of the microstructure";
     if (o->mesh.has_value() != o->chord.has_value()) return "--mesh and --chord need each other";
     if (o->mesh && format_from_path(*o->mesh, ModelKind::kMesh) == nullptr)

@@ -150,8 +150,9 @@ void OptionSet::option(const std::string& name, const std::string& type, TakeTex
   add(command_, name, name, std::move(take), help)->type_name(type);
 }
 
-void OptionSet::repeated_option(const std::string& name, const std::string& type, TakeText take,
-                                const std::string& help) {
+void OptionSet::repeatable(const std::string& name, const std::string& type, TakeText take,
+                           const std::string& help) {
+  constexpr int kMost = 1000;
   const auto check = [name, take = std::move(take)](const std::vector<std::string>& texts) {
     for (const std::string& text : texts)
       if (const std::string wrong = take(text); !wrong.empty())
@@ -159,8 +160,8 @@ void OptionSet::repeated_option(const std::string& name, const std::string& type
   };
   command_->add_option_function<std::vector<std::string>>(name, check, help)
       ->type_name(type)
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->expected(1, kMost)
+      ->allow_extra_args(false);
 }
 
 void OptionSet::operand(const std::string& name, TakeText take, const std::string& help) {

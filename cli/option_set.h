@@ -69,10 +69,9 @@ class OptionSet {
   /// Accepts whatever `take` accepts; the help shows `type` for the value.
   void option(const std::string& name, const std::string& type, TakeText take,
               const std::string& help);
-
-  /// Such an option that may be given several times; `take` is called for each, in order.
-  void repeated_option(const std::string& name, const std::string& type, TakeText take,
-                       const std::string& help);
+  /// An option that may be given several times, each time with one value, which `take` accepts in their order.
+  void repeatable(const std::string& name, const std::string& type, TakeText take,
+                  const std::string& help);
 
   /// One argument without a name; the name is for the help.
   void operand(const std::string& name, TakeText take, const std::string& help);

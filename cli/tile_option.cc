@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cli/tile_option.h"
 
+#include <array>
 #include <charconv>
-#include <vector>
+#include <string_view>
+#include <utility>
 
 #include "io/base/exact_number.h"
+#include "io/itd_polygons.h"
+#include "io/read_model.h"
+#include "io/tile_file.h"
+#include "solids/micro/bifurcation.h"
+#include "solids/vmodel/v_parts.h"
 
 namespace veritope::cli {
 namespace {
 
-std::vector<std::string> parts_of(const std::string& text) {
+constexpr unsigned kBranchArms = 51;         // to u0, u1, w0 and w1
+constexpr unsigned kArmsOfBifurcation = 31;  // to all walls but w1
+
+std::vector<std::string> parts_of(const std::string& text, char separator) {
   std::vector<std::string> out(1);
   for (const char c : text) {
-    if (c == ',')
+    if (c == separator)
       out.emplace_back();
     else
       out.back() += c;
@@ -32,25 +42,166 @@ std::string take_degree(const std::string& value, int& to) {
   return read.ec == std::errc() && read.ptr == end ? "" : "needs a degree, 1 or 3, not " + value;
 }
 
-std::string take_key(const std::string& part, JackShape& shape) {
-  const std::size_t equals = part.find('=');
-  const std::string key = part.substr(0, equals),
-                    value = equals == part.npos ? "" : part.substr(equals + 1);
+// "u0+w1".
+std::string take_arms(const std::string& value, unsigned& to) {
+  to = 0;
+  for (const std::string& name : parts_of(value, '+')) {
+    std::size_t wall = 0;
+    while (wall < 6 && v_face_name(wall) != name) ++wall;
+    if (wall == 6) return "needs walls such as u0+u1+w1, not " + value;
+    to |= 1u << wall;
+  }
+  return "";
+}
+
+std::string take_key(const std::string& key, const std::string& value, bool is_branch,
+                     JackShape& shape) {
   if (key == "node") return take_number(value, shape.node);
   if (key == "cap") return take_number(value, shape.cap);
   if (key == "degree") return take_degree(value, shape.degree);
-  return "has no key " + key + "; a jack has node, cap and degree";
+  if (is_branch && key == "arms") return take_arms(value, shape.arms);
+  return "has no key " + key + "; " +
+         (is_branch ? "a branch has node, cap, degree and arms"
+                    : "a jack has node, cap and degree");
+}
+std::string take_key(const std::string& key, const std::string& value, FrameShape& shape) {
+  if (key == "bar") return take_number(value, shape.bar);
+  if (key == "margin") return take_number(value, shape.margin);
+  return "has no key " + key + "; a frame has bar and margin";
+}
+
+// Calls take(key, value) for each part after the name.
+template <typename Take>
+std::string take_keys(const std::vector<std::string>& parts, Take take) {
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const std::size_t equals = parts[i].find('=');
+    const std::string key = parts[i].substr(0, equals),
+                      value = equals == std::string::npos ? "" : parts[i].substr(equals + 1);
+    if (std::string why = take(key, value); !why.empty()) return why;
+  }
+  return "";
+}
+
+// Whether a proof may need quadrilaterals in the place of triangles.
+bool may_need_quadrilaterals(const MicroTile& tile) {
+  const auto analysed = analyse_tile(tile);
+  const auto* const found = std::get_if<AnalysedTile>(&analysed);
+  return found != nullptr && !found->is_star();
+}
+
+Result<MicroTile> read_tile_file(const std::string& path, const ModelReadOptions& reading) {
+  const Result<ModelBytes> bytes = load_model(path, reading);
+  if (!bytes) return bytes.error();
+  const Result<ModelFile> file = read_model(*bytes, reading);
+  if (!file) return file.error();
+  std::optional<MeshFile> polygons;
+  if (has_polygons_and_splines(*file)) {
+    Result<MeshFile> mesh = read_itd_polygons(source_of(bytes->bytes, bytes->name),
+                                              std::get<SplineFile>(*file), reading.limits);
+    if (!mesh) return mesh.error();
+    polygons.emplace(std::move(*mesh));
+  }
+  const auto with = [&](TileFacets facets) {
+    return tile_of(*file, path.substr(path.find_last_of('/') + 1), facets,
+                   polygons ? &*polygons : nullptr);
+  };
+  Result<MicroTile> tile = with(TileFacets::kFewest);
+  if (!tile || !may_need_quadrilaterals(*tile)) return tile;
+  Result<MicroTile> finer = with(TileFacets::kQuadrilaterals);
+  return finer ? std::move(finer) : std::move(tile);
 }
 
 }  // namespace
 
-std::string take_jack(const std::string& text, JackShape& shape) {
-  const std::vector<std::string> parts = parts_of(text);
-  if (parts[0] != "jack") return "needs a tile such as jack or jack,node=1/5, not " + text;
-  for (std::size_t i = 1; i < parts.size(); ++i)
-    if (std::string why = take_key(parts[i], shape); !why.empty()) return why;
-  const Result<MicroTile> tile = jack_tile(shape);
+std::string take_tile(const std::string& text, std::vector<TileChoice>& tiles) {
+  const std::vector<std::string> parts = parts_of(text, ',');
+  const bool is_branch = parts[0] == "branch";
+  std::string why;
+  if (parts[0] == "jack" || is_branch) {
+    JackShape shape;
+    if (is_branch) shape.arms = kBranchArms;
+    why = take_keys(parts, [&](const std::string& key, const std::string& value) {
+      return take_key(key, value, is_branch, shape);
+    });
+    tiles.emplace_back(std::move(shape));
+  } else if (parts[0] == "frame") {
+    FrameShape shape;
+    why = take_keys(parts, [&](const std::string& key, const std::string& value) {
+      return take_key(key, value, shape);
+    });
+    tiles.emplace_back(std::move(shape));
+  } else if (text.find_first_of("./") != std::string::npos) {
+    tiles.emplace_back(TileFile{text, {}});
+    return "";
+  } else {
+    return "needs jack, frame or branch, such as jack,node=1/5, or a file, not " + text;
+  }
+  if (!why.empty()) return why;
+  const Result<MicroTile> tile = make_tile(tiles.back(), 63, std::nullopt);
   return tile ? "" : "is not a tile: " + tile.error().message;
+}
+
+Status read_tile_files(const ModelReadOptions& reading, std::vector<TileChoice>& tiles) {
+  for (TileChoice& choice : tiles) {
+    auto* const file = std::get_if<TileFile>(&choice);
+    if (file == nullptr) continue;
+    Result<MicroTile> tile = read_tile_file(file->path, reading);
+    if (!tile) {
+      Error error = tile.error();
+      error.place.file = file->path;
+      return error;
+    }
+    file->tile = std::move(*tile);
+  }
+  return ok_status();
+}
+
+Result<MicroTile> make_tile(const TileChoice& tile, unsigned arms,
+                            const std::optional<std::array<std::int32_t, 2>>& range) {
+  if (const auto* const file = std::get_if<TileFile>(&tile)) return file->tile;
+  if (const auto* const frame = std::get_if<FrameShape>(&tile)) {
+    FrameShape shape = *frame;
+    shape.arms &= arms;
+    return frame_tile(shape);
+  }
+  JackShape shape = std::get<JackShape>(tile);
+  shape.arms &= arms;
+  shape.range = range;
+  return jack_tile(shape);
+}
+
+Result<MicroTile> make_bifurcation(const TileChoice& tile, unsigned arms,
+                                   const std::optional<std::array<std::int32_t, 2>>& range) {
+  JackShape shape = std::get<JackShape>(tile);
+  shape.arms &= arms & kArmsOfBifurcation;
+  shape.range = range;
+  return bifurcation_tile(shape);
+}
+
+std::string take_doubling(const std::string& text, std::optional<std::uint64_t>& layer) {
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  if (text.starts_with("w=")) {
+    const auto read = std::from_chars(text.data() + 2, end, number);
+    if (read.ec == std::errc() && read.ptr == end && number > 0) {
+      layer = number;
+      return "";
+    }
+  }
+  return "needs w=L, L the number of a layer from 1, not " + text;
+}
+
+const char* defect_in_words(const TileDefect& defect) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 6> kWords{
+      {{"S0", "the surface is not closed"},
+       {"F1", "the tile is not star-shaped"},
+       {"F2", "the tile is not star-shaped"},
+       {"F3", "the patches do not bound one solid"},
+       {"T2", "the tile leaves the cube, or touches a wall off its caps"},
+       {"T3", "caps of one wall touch each other"}}};
+  for (const auto& [condition, words] : kWords)
+    if (condition == defect.condition) return words;
+  return "";
 }
 
 }  // namespace veritope::cli

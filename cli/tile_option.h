@@ -1,13 +1,49 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/tile_option.h: tiles as options of veritope micro: "jack,node=1/5,cap=1/8,degree=3".
+// cli/tile_option.h: tiles as options of veritope micro: "jack,node=1/5,cap=1/8,degree=3", "frame", or a file.
 #pragma once
+#include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
+#include "io/model_file.h"
+#include "solids/micro/frame.h"
 #include "solids/micro/jack.h"
+#include "solids/micro/tile_analysis.h"
 
 namespace veritope::cli {
 
-/// Returns nothing, or what is wrong with the text, in words that follow the name of the option.
-std::string take_jack(const std::string& text, JackShape& shape);
+/// A file with a tile, and the tile once it was read.
+struct TileFile {
+  std::string path;
+  MicroTile tile;
+};
+/// What --tile says: a jack or a branch, a frame, or a file.
+using TileChoice = std::variant<JackShape, FrameShape, TileFile>;
+
+/// Appends the tile. Returns nothing, or what is wrong with the text, in words that follow the name of the option. A
+/// text without a name of a tile is the path of a file, which is not read here.
+std::string take_tile(const std::string& text, std::vector<TileChoice>& tiles);
+
+/// Reads the tiles that are files. Triangles are cut into quadrilaterals where that may help a proof: TileFacets.
+/// @error  as read_model_file and tile_of, with the file
+Status read_tile_files(const ModelReadOptions& reading, std::vector<TileChoice>& tiles);
+
+/// The tile with arms to these walls at most; a file's tile has all its caps.
+/// @param range  of the numbers of walls; tiles without a thickness do not use it
+/// @error  as jack_tile and frame_tile
+Result<MicroTile> make_tile(const TileChoice& tile, unsigned arms,
+                            const std::optional<std::array<std::int32_t, 2>>& range);
+
+/// The tile below 2 x 2 jacks like this one. REQUIRES a jack.
+/// @error  as bifurcation_tile
+Result<MicroTile> make_bifurcation(const TileChoice& tile, unsigned arms,
+                                   const std::optional<std::array<std::int32_t, 2>>& range);
+
+/// "w=3": the layer. Returns nothing, or what is wrong with the text.
+std::string take_doubling(const std::string& text, std::optional<std::uint64_t>& layer);
+
+/// "the surface is not closed", for the condition S0.
+const char* defect_in_words(const TileDefect& defect);
 
 }  // namespace veritope::cli

@@ -19,13 +19,16 @@ constexpr std::int32_t kNoNumber = -1;
 // The tiles with fewer arms, as they are needed.
 class TileKinds {
  public:
-  TileKinds(const TileOfArms& make, std::vector<MicroTile>& tiles) : make_(make), tiles_(tiles) {}
+  TileKinds(const std::vector<TileOfArms>& make, std::vector<MicroTile>& tiles)
+      : make_(make), tiles_(tiles) {}
   // 1 more than the number of the tile.
-  Result<std::uint8_t> with_arms(unsigned arms) {
-    const auto [at, is_new] = numbers_.try_emplace(arms, std::uint8_t{0});
+  Result<std::uint8_t> with_arms(std::size_t choice, unsigned arms) {
+    const auto [at, is_new] = numbers_.try_emplace({choice, arms}, std::uint8_t{0});
     if (!is_new) return at->second;
-    Result<MicroTile> tile = make_(arms);
+    Result<MicroTile> tile = make_[choice](arms);
     if (!tile) return tile.error();
+    for (std::size_t k = 0; k < tiles_.size(); ++k)
+      if (tiles_[k] == *tile) return at->second = static_cast<std::uint8_t>(k + 1);
     if (tiles_.size() == kMaxMicroTiles)
       return Error{
           Code::kOverLimit, {}, "more than " + std::to_string(kMaxMicroTiles) + " different tiles"};
@@ -34,21 +37,24 @@ class TileKinds {
   }
 
  private:
-  const TileOfArms& make_;
+  const std::vector<TileOfArms>& make_;
   std::vector<MicroTile>& tiles_;
-  std::map<unsigned, std::uint8_t> numbers_;
+  std::map<std::pair<std::size_t, unsigned>, std::uint8_t> numbers_;
 };
 
 // The walls of a cell that do not lie in collapsed faces.
-unsigned arms_of(const VModel& model, const MicroGrid& grid, std::size_t cell) {
-  const Grid<3> shape = grid.shape();
-  const auto at = shape.index_of(cell);
+unsigned arms_of(const VVolume& volume, const VModel& model, const MicroGrid& grid,
+                 std::size_t cell) {
+  const auto at = grid.shape().index_of(cell);
   unsigned arms = kAllArms;
   for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t end = 0; end < 2; ++end)
-      if (at[a] == (end == 0 ? 0 : shape.size[a] - 1) &&
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Rational& border =
+          end == 0 ? volume.axis(a).domain_begin() : volume.axis(a).domain_end();
+      if (grid.breaks[a][at[a] + end] == border &&
           model.face(grid.volume, 2 * a + end).is_collapsed())
         arms &= ~(1u << (2 * a + end));
+    }
   return arms;
 }
 
@@ -78,6 +84,13 @@ std::int32_t& number_at(Microstructure& micro, const GridWall& w) {
   MicroGrid& grid = micro.grids[w.grid];
   return grid.walls[w.axis][grid.wall_shape(w.axis).at(w.at)];
 }
+// A wall of 2 x 2 that lie in another wall of their volume.
+bool is_quarter(const Microstructure& micro, const WallPair& pair) {
+  const Rational half = Rational(1) / Rational(2);
+  const WallPlacement& p = (*pair.placements)[1];
+  return micro.grids[pair.walls[0].grid].volume == micro.grids[pair.walls[1].grid].volume &&
+         !p.is_swapped && p.scale[0] == half && p.scale[1] == half;
+}
 bool is_whole_square(const WallPlacement& p) {
   for (std::size_t k = 0; k < 2; ++k) {
     const bool is_plain = p.scale[k] == Rational(1) && p.offset[k] == Rational(0);
@@ -92,8 +105,17 @@ bool is_whole_square(const WallPlacement& p) {
 Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
                                  const std::array<std::uint64_t, 3>& counts, const TileOfArms& tile,
                                  std::uint64_t max_cells) {
-  Microstructure out;
-  TileKinds kinds(tile, out.tiles);
+  const auto first = [](const VVolume&, const MicroGrid&, std::uint64_t) {
+    return Result<std::size_t>(0);
+  };
+  return fill_cage(std::move(cage), model, counts, std::vector<TileOfArms>{tile}, first, max_cells);
+}
+
+Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
+                                 const std::array<std::uint64_t, 3>& counts,
+                                 const std::vector<TileOfArms>& tiles, const ChooseTile& choose,
+                                 std::uint64_t max_cells) {
+  std::vector<MicroGrid> grids;
   std::uint64_t left = max_cells;
   for (std::uint32_t v = 0; v < cage.size(); ++v) {
     std::uint64_t cells = 1;
@@ -105,13 +127,26 @@ Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
     left -= cells;
     Result<MicroGrid> grid = make_micro_grid(cage[v], v, counts);
     if (!grid) return grid.error();
-    for (std::size_t c = 0; c < grid->tiles.size(); ++c) {
-      const Result<std::uint8_t> kind = kinds.with_arms(arms_of(model, *grid, c));
-      if (!kind) return kind.error();
-      grid->tiles[c] = *kind;
-    }
-    out.grids.push_back(std::move(*grid));
+    grids.push_back(std::move(*grid));
   }
+  return fill_grids(std::move(cage), model, std::move(grids), tiles, choose);
+}
+
+Result<Microstructure> fill_grids(std::vector<VVolume> cage, const VModel& model,
+                                  std::vector<MicroGrid> grids,
+                                  const std::vector<TileOfArms>& tiles, const ChooseTile& choose) {
+  Microstructure out;
+  TileKinds kinds(tiles, out.tiles);
+  for (MicroGrid& grid : grids)
+    for (std::size_t c = 0; c < grid.tiles.size(); ++c) {
+      const VVolume& volume = cage[grid.volume];
+      const Result<std::size_t> choice = choose(volume, grid, c);
+      if (!choice) return choice.error();
+      const Result<std::uint8_t> kind = kinds.with_arms(*choice, arms_of(volume, model, grid, c));
+      if (!kind) return kind.error();
+      grid.tiles[c] = *kind;
+    }
+  out.grids = std::move(grids);
   out.cage = std::move(cage);
   if (out.has_walls())
     for (MicroGrid& grid : out.grids)
@@ -126,7 +161,8 @@ Status number_walls(const VModel& model,
     for (auto& walls : grid.walls) std::fill(walls.begin(), walls.end(), kNoNumber);
   std::optional<Error> error;
   for_each_wall_pair(micro, model, [&](const WallPair& pair) {
-    if (pair.has_shared_number || !is_whole_square((*pair.placements)[1])) return true;
+    if (pair.has_shared_number) return true;
+    if (!is_whole_square((*pair.placements)[1]) && !is_quarter(micro, pair)) return true;
     const GridWall wall = grid_wall(micro, pair.walls[0]);
     std::int32_t& first = number_at(micro, wall);
     if (first == kNoNumber) {

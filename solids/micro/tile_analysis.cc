@@ -105,15 +105,15 @@ class StarSearch {
       : families_(families), surface_(surface) {
     for (const Family& f : families) members_.push_back(boundary(f, 2, 0));
   }
-  // Sets centre and exit.
-  std::optional<TileDefect> run(AnalysedTile& tile) const {
+  // The star, or what is against the first candidate for its centre.
+  std::variant<TileStar, TileDefect> run() const {
     std::optional<TileDefect> first;
     for (const TilePoint& a : candidates()) {
-      std::optional<TileDefect> defect = defect_of(a, tile);
-      if (!defect.has_value()) return std::nullopt;
-      if (!first.has_value()) first = std::move(defect);
+      std::variant<TileStar, TileDefect> star = star_about(a);
+      if (std::holds_alternative<TileStar>(star)) return star;
+      if (!first.has_value()) first = std::get<TileDefect>(std::move(star));
     }
-    return first;
+    return *first;
   }
 
  private:
@@ -136,19 +136,15 @@ class StarSearch {
     }
     return out;
   }
-  std::optional<TileDefect> defect_of(const TilePoint& a, AnalysedTile& tile) const {
+  std::variant<TileStar, TileDefect> star_about(const TilePoint& a) const {
     for (std::uint32_t p = 0; p < families_.size(); ++p)
       if (!turns_around(families_[p], surface_, p, a))
         return TileDefect{"F1", p, std::nullopt,
                           "the tile is not proved to be star-shaped about (" + a[0].to_string() +
                               ", " + a[1].to_string() + ", " + a[2].to_string() + "): patch " +
                               std::to_string(p)};
-    tile.centre = a;
     for (std::uint32_t p = 0; p < members_.size(); ++p)
-      if (is_exit(p, a)) {
-        tile.exit = p;
-        return std::nullopt;
-      }
+      if (is_exit(p, a)) return TileStar{a, p};
     return TileDefect{"F2", std::nullopt, std::nullopt,
                       "no parallelogram has its middle straight ahead of the centre (" +
                           a[0].to_string() + ", " + a[1].to_string() + ", " + a[2].to_string() +
@@ -180,7 +176,8 @@ std::variant<AnalysedTile, TileDefect> analyse_tile(const MicroTile& tile) {
   out.surface = std::get<TileSurface>(std::move(surface));
   std::vector<Family> families;
   for (const TilePatch& patch : tile.patches) families.push_back(family_of(patch, tile.range));
-  if (auto defect = StarSearch(families, out.surface).run(out)) return std::move(*defect);
+  out.star = StarSearch(families, out.surface).run();
+  if (!out.is_star() && tile.range.has_value()) return std::get<TileDefect>(std::move(out.star));
   internal::find_caps(families, out);
   if (auto defect = internal::wall_defect(families, out)) return std::move(*defect);
   return out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/micro/tile_analysis.h: proves that all members of a tile are embedded spheres, star-shaped about one point,
-// and finds where they touch the walls of the unit cube. The conditions S0, F1, F2, T2 and T3 of
+// or leaves that open, and finds where they touch the walls of the unit cube. The conditions S0, F1, F2, T2 and T3 of
 // docs/certificates/microstructure.md. Theory: docs/THEORY.md, MICRO-1.
 #pragma once
 #include <array>
@@ -21,6 +21,12 @@ struct TileCap {
   std::int64_t euler = 0;              ///< vertices - edges + patches of the closed cap
 };
 
+/// Each member is star-shaped about the centre; a ray from it to a wall passes through the patch `exit`.
+struct TileStar {
+  TilePoint centre;
+  std::uint32_t exit = 0;
+};
+
 struct AnalysedTile {
   static constexpr std::uint32_t kNoCap = 0xffffffff;
 
@@ -29,14 +35,18 @@ struct AnalysedTile {
   std::vector<TileCap> caps;  ///< by walls
   std::array<std::vector<std::uint32_t>, 6> caps_of_wall;
   std::vector<std::uint32_t> cap_of_patch;  ///< or kNoCap
-  TilePoint centre;                         ///< each member is star-shaped about it
-  std::uint32_t exit = 0;  ///< the patch through which a ray from it to a wall passes
+  /// Or what is against it, F1 or F2: then nothing is proved about the inside of the cube, and star boxes have to show
+  /// that the surface bounds a solid (F3).
+  std::variant<TileStar, TileDefect> star;
+
+  bool is_star() const { return std::holds_alternative<TileStar>(star); }
 };
 
 /// How many steps the descents of F2 may take in all, and how often a patch may be halved.
 inline constexpr std::size_t kMaxExitNodes = 65536;
 inline constexpr int kMaxExitLevel = 40;
 
+/// A tile whose range is null may be no star; any other one that is not proved to be a star has the defect.
 /// @cost  polynomial in the degrees; linear in the patches, but for the search of a centre, which tries a few points
 /// REQUIRES a tile as docs/formats/micro-files.md has it.
 std::variant<AnalysedTile, TileDefect> analyse_tile(const MicroTile& tile);

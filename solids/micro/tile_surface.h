@@ -16,7 +16,7 @@ namespace veritope {
 
 /// Why no certificate can speak of a tile.
 struct TileDefect {
-  const char* condition = "";  ///< "S0", "F1", "F2", "T2" or "T3" of the certificate's page
+  const char* condition = "";  ///< "S0", "F1", "F2", "F3", "T2" or "T3" of the certificate's page
   std::optional<std::uint32_t> patch;
   std::optional<int> wall;  ///< 2 axis + end
   std::string message;

@@ -285,7 +285,7 @@ class MicroCommand(support.Folder):
         open_mesh = self.folder / "open.off"
         open_mesh.write_text(cube(1, 7).replace("8 6 0", "8 5 0").replace("4 1 3 7 5\n", ""))
         self.assertEqual(self.micro("--model", open_mesh, expect=1)["defects"][0]["code"], "model")
-        self.assertEqual(self.micro(tile="jack,node=1/20,cap=9/20", expect=1)["defects"][0]["code"], "F1")
+        self.assertEqual(self.micro(tile="jack,node=1/20,cap=9/20", expect=1)["defects"][0]["code"], "F3")
 
     def test_meshes_are_solids_with_the_numbers_of_the_microstructure(self):
         torus = self.tree("torus", {"op": "torus", "major": 3, "minor": 1})

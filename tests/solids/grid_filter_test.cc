@@ -119,6 +119,24 @@ TEST(FilterGrid, EveryCellMayHaveItsOwnTile) {
   EXPECT_EQ(all.at({1, 1, 0}), CellStatus::kKept);
 }
 
+TEST(FilterGrid, APartOfAGridHasTheStatusesOfTheWhole) {
+  const Fixture f;
+  const BSplineVolume<Rational> cage = insert_knot(twisted(), 2, Rational(1) / Rational(2));
+  const Lines lines = even_lines({8, 8, 8});
+  const GridStatus all = filter_grid(f.filter, cage, lines, f.same, 1).value();
+  for (const std::size_t first : {1u, 4u, 5u}) {
+    Lines part = lines;
+    part[2].erase(part[2].begin(), part[2].begin() + static_cast<std::ptrdiff_t>(first));
+    part[0].pop_back();
+    const GridStatus some = filter_grid(f.filter, cage, part, f.same, 1).value();
+    ASSERT_EQ(some.cells.size, (std::array<std::size_t, 3>{7, 8, 8 - first}));
+    for (std::size_t c = 0; c < some.status.size(); ++c) {
+      const auto at = some.cells.index_of(c);
+      EXPECT_EQ(some.status[c], all.at({at[0], at[1], at[2] + first})) << first << " " << c;
+    }
+  }
+}
+
 TEST(FilterGrid, RefusesLinesThatAreNoGrid) {
   const Fixture f;
   const auto message = [&](const BSplineVolume<Rational>& cage, const Lines& lines) {
@@ -130,8 +148,10 @@ TEST(FilterGrid, RefusesLinesThatAreNoGrid) {
   Lines lines = even_lines({2, 2, 2});
   lines[1] = {Rational(0)};
   EXPECT_NE(message(twisted(), lines).find("axis 1 bound no cell"), std::string::npos);
-  lines[1] = {Rational(0), Rational(1) / Rational(2)};
-  EXPECT_NE(message(twisted(), lines).find("axis 1 run from 0 to 1/2"), std::string::npos);
+  lines[1] = {Rational(0), Rational(3) / Rational(2)};
+  EXPECT_NE(message(twisted(), lines).find("axis 1 run from 0 to 3/2"), std::string::npos);
+  lines[1] = {Rational(-1), Rational(1)};
+  EXPECT_NE(message(twisted(), lines).find("axis 1 run from -1 to 1"), std::string::npos);
   lines[1] = {Rational(0), Rational(1) / Rational(2), Rational(1) / Rational(2), Rational(1)};
   EXPECT_NE(message(twisted(), lines).find("do not increase"), std::string::npos);
   lines = even_lines({2, 2, 2});

@@ -3,6 +3,8 @@
 
 #include <set>
 
+#include "solids/micro/bifurcation.h"
+#include "solids/micro/frame.h"
 #include "solids/micro/tile_analysis.h"
 #include "tests/support/micro_cells.h"
 
@@ -24,7 +26,11 @@ AnalysedTile analysed(const MicroTile& tile) {
 std::string condition_of(const MicroTile& tile) {
   const auto result = analyse_tile(tile);
   const auto* defect = std::get_if<TileDefect>(&result);
+  if (defect == nullptr) defect = std::get_if<TileDefect>(&std::get<AnalysedTile>(result).star);
   return defect != nullptr ? defect->condition : "";
+}
+TilePoint centre_of(const MicroTile& tile) {
+  return std::get<TileStar>(analysed(tile).star).centre;
 }
 MicroTile jack(JackShape shape = {}) { return jack_tile(shape).value(); }
 
@@ -50,8 +56,8 @@ TEST(Jack, IsAStarForEveryNumberOfItsRange) {
   shape.degree = 1;
   shape.range = {{1, kMaxWallNumber / 2 - 1}};
   const AnalysedTile tile = analysed(jack(shape));
-  EXPECT_EQ(tile.centre, (TilePoint{Rational(1) / Rational(2), Rational(1) / Rational(2),
-                                    Rational(1) / Rational(2)}));
+  EXPECT_EQ(centre_of(tile.tile), (TilePoint{Rational(1) / Rational(2), Rational(1) / Rational(2),
+                                             Rational(1) / Rational(2)}));
   EXPECT_EQ(tile.tile.range, shape.range);
 }
 
@@ -105,6 +111,62 @@ TEST(Jack, RefusesNumbersOutsideOfTheirRanges) {
   }
 }
 
+TEST(Frame, IsThreeRingsWithStubs) {
+  for (const unsigned arms : {63u, 0u, 1u, 36u}) {
+    FrameShape shape;
+    shape.arms = arms;
+    const AnalysedTile tile = analysed(frame_tile(shape).value());
+    EXPECT_EQ(tile.surface.euler(), 2 - 2 * 7);
+    EXPECT_FALSE(tile.is_star());
+    for (std::size_t wall = 0; wall < 6; ++wall)
+      EXPECT_EQ(tile.caps_of_wall[wall].size(), arms >> wall & 1u);
+    for (const TileCap& cap : tile.caps) EXPECT_EQ(cap.patches.size(), 1u);
+    EXPECT_EQ(shells_without(tile, (1u << tile.caps.size()) - 1).count, 1u);
+  }
+}
+TEST(Frame, RefusesBarsThatLeaveNoWindow) {
+  FrameShape shape;
+  shape.bar = Rational(2) / Rational(9);  // 2/6 + 6/9 = 1
+  EXPECT_EQ(frame_tile(shape).error().code, Code::kBadArgument);
+  shape.bar = Rational(0);
+  EXPECT_EQ(frame_tile(shape).error().code, Code::kBadArgument);
+  shape = {};
+  shape.margin = Rational(0);
+  EXPECT_EQ(frame_tile(shape).error().code, Code::kBadArgument);
+  shape = {};
+  shape.arms = 64;
+  EXPECT_EQ(frame_tile(shape).error().code, Code::kBadArgument);
+}
+
+JackShape bifurcation(int degree, unsigned arms = 31) {
+  JackShape shape;
+  shape.degree = degree;
+  shape.arms = arms;
+  return shape;
+}
+TEST(Bifurcation, HasFourCapsOnTopAndIsAStarIfItIsStraight) {
+  for (const int degree : {1, 3})
+    for (const unsigned arms : {31u, 0u, 16u, 5u}) {
+      const AnalysedTile tile = analysed(bifurcation_tile(bifurcation(degree, arms)).value());
+      EXPECT_EQ(tile.surface.euler(), 2);
+      EXPECT_EQ(tile.is_star(), degree == 1) << arms;
+      for (std::size_t wall = 0; wall < 5; ++wall)
+        EXPECT_EQ(tile.caps_of_wall[wall].size(), arms >> wall & 1u);
+      EXPECT_EQ(tile.caps_of_wall[5].size(), 4u);
+    }
+}
+TEST(Bifurcation, IsAStarForEveryNumberOfItsRange) {
+  JackShape shape = bifurcation(1);
+  shape.range = {{kMaxWallNumber / 16, kMaxWallNumber / 4}};
+  EXPECT_TRUE(analysed(bifurcation_tile(shape).value()).is_star());
+  shape.degree = 3;
+  EXPECT_TRUE(analysed(bifurcation_tile(shape).value()).is_star());
+}
+TEST(Bifurcation, RefusesAnArmToItsTop) {
+  EXPECT_EQ(bifurcation_tile(bifurcation(1, 63)).error().code, Code::kBadArgument);
+  EXPECT_EQ(bifurcation_tile(bifurcation(2)).error().code, Code::kBadArgument);
+}
+
 TEST(TileAnalysis, ABoxBetweenTwoWallsHasTwoCaps) {
   const AnalysedTile tile = analysed(box_tile({16, 16, 0}, {48, 48, 64}));
   EXPECT_EQ(tile.caps.size(), 2u);
@@ -117,7 +179,7 @@ TEST(TileAnalysis, ABoxBetweenTwoWallsHasTwoCaps) {
 TEST(TileAnalysis, CentresHaveNumbersThatACertificateMayHave) {
   // Off the middle of the cube: its centre lies straight behind the middle of a side.
   MicroTile tile = box_tile({2, 2, 0}, {10, 10, 64});
-  EXPECT_EQ(analysed(tile).centre, at(8, 6, 32));
+  EXPECT_EQ(centre_of(tile), at(8, 6, 32));
   const Rational shift = Rational(1) / Rational(power_of_two(100) + Integer(1));
   for (TilePatch& patch : tile.patches)
     for (TilePoint& p : patch.points[0]) p[0] += shift, p[1] += shift;

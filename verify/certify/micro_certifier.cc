@@ -12,6 +12,7 @@
 #include "solids/micro/micro_topology.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/certify_kinds_internal.h"
+#include "verify/certify/tile_certifier.h"
 #include "verify/certify/vmodel_certifier.h"
 #include "verify/format/claims.h"
 
@@ -45,7 +46,6 @@ class MicroCertification {
     proof.counts = std::get<MicroCounts>(topology);
     if (auto reason = certify_bridges(*cage)) return undecided(std::move(*reason));
     internal::enter(Phase::kCertifying, options_);
-    prove_tiles();
     proof.body = std::move(body_);
     proof.tiles = std::move(tiles_);
     return proof;
@@ -74,6 +74,21 @@ class MicroCertification {
       return reason(name + " has " + std::to_string(tiles_.back().caps.size()) + " caps; at most " +
                         std::to_string(kMaxCaps) + " are supported",
                     "not-covered");
+    return prove(tiles_.back(), name);
+  }
+  // Appends the proof that the tile is a solid.
+  std::optional<Finding> prove(const AnalysedTile& tile, const std::string& name) {
+    if (const auto* const star = std::get_if<TileStar>(&tile.star)) {
+      certificate::StarTileProof proof;
+      for (std::size_t c = 0; c < 3; ++c) proof.centre[c] = to_fraction(star->centre[c]);
+      proof.exit = star->exit;
+      body_.tiles.emplace_back(std::move(proof));
+      return std::nullopt;
+    }
+    auto boxes = star_boxes_of(tile.tile, options_);
+    if (auto* const finding = std::get_if<Finding>(&boxes))
+      return reason(name + ": F3: " + finding->code + ": " + finding->message);
+    body_.tiles.emplace_back(std::get<certificate::StarBoxBody>(std::move(boxes)));
     return std::nullopt;
   }
 
@@ -169,15 +184,6 @@ class MicroCertification {
       out.place.parts.push_back(std::move(part));
     }
     return out;
-  }
-
-  void prove_tiles() {
-    for (const AnalysedTile& tile : tiles_) {
-      certificate::StarTileProof proof;
-      for (std::size_t c = 0; c < 3; ++c) proof.centre[c] = to_fraction(tile.centre[c]);
-      proof.exit = tile.exit;
-      body_.tiles.emplace_back(std::move(proof));
-    }
   }
 
   const Microstructure& micro_;

@@ -52,12 +52,14 @@ Error bad_line(std::size_t axis, const std::string& why) {
 Result<AxisLines> axis_lines(std::size_t axis, const std::vector<Rational>& lines,
                              const std::vector<Rational>& breaks) {
   if (lines.size() < 2) return bad_line(axis, "bound no cell");
-  if (lines.front() != breaks.front() || lines.back() != breaks.back())
+  if (lines.front() < breaks.front() || lines.front() >= breaks.back() ||
+      lines.back() > breaks.back())
     return bad_line(axis, "run from " + lines.front().to_string() + " to " +
                               lines.back().to_string() + ", but the domain from " +
                               breaks.front().to_string() + " to " + breaks.back().to_string());
   AxisLines out;
   std::size_t span = 0;
+  while (lines.front() >= breaks[span + 1]) ++span;
   out.first_of_span.push_back(0);
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
     if (lines[i] >= lines[i + 1])

@@ -30,8 +30,8 @@ struct GridStatus {
 /// The statuses of all cells between the lines. A block of cells whose hull no facet meets is kept or outside as a
 /// whole; other blocks are halved. The result does not depend on `jobs`.
 /// REQUIRES a cage that is one to one on every cell; see TileFilter::find.
-/// @error kBadArgument unless the cage has three coordinates, and the lines of each axis increase from the begin of its
-///        domain to the end and contain every knot between; kOverLimit for more than 2^31 cells
+/// @error kBadArgument unless the cage has three coordinates, and the lines of each axis increase in its domain
+///        and contain every knot between the first and the last of them; kOverLimit for more than 2^31 cells
 /// @cost  the cells near the surface
 Result<GridStatus> filter_grid(const TileFilter& filter, const BSplineVolume<Rational>& cage,
                                const std::array<std::vector<Rational>, 3>& lines,

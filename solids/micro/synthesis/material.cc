@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "interval/formula/formula_evaluator.h"
-#include "solids/micro/synthesis/cage_variables_internal.h"
+#include "solids/micro/synthesis/formula_point_internal.h"
 #include "splines/de_boor.h"
 
 namespace veritope {
@@ -43,7 +43,7 @@ class MaterialEvaluator {
     const std::uint64_t index =
         (std::uint64_t{grid} << 40) + micro_.grids[grid].corner_shape().at(corner);
     const Result<RoundedValue> value =
-        evaluator_.round_to_multiple(internal::cage_values(formula_, volume, at), index);
+        evaluator_.round_to_multiple(internal::formula_values(formula_, volume, at), index);
     const auto about = [&](const std::string& what) {
       return bad_argument("corner (" + std::to_string(corner[0]) + ", " +
                           std::to_string(corner[1]) + ", " + std::to_string(corner[2]) +

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "interval/formula/formula_evaluator.h"
-#include "solids/micro/synthesis/cage_variables_internal.h"
+#include "solids/micro/synthesis/formula_point_internal.h"
 #include "solids/micro/wall_pairs.h"
 
 namespace veritope {
@@ -45,8 +44,8 @@ class WallEvaluator {
     return bad_argument("wall " + name_of_wall(micro_, cell_beside(micro_, wall)) + ": " + what);
   }
   std::vector<Rational> values_at(const GridWall& wall) const {
-    return internal::cage_values(formula_, micro_.cage[micro_.grids[wall.grid].volume],
-                                 middle_of(micro_, wall));
+    return internal::formula_values(formula_, micro_.cage[micro_.grids[wall.grid].volume],
+                                    middle_of(micro_, wall));
   }
   // A number of its own for each wall, for rand.
   std::uint64_t index_of(const GridWall& wall) const {

@@ -51,7 +51,10 @@ void judge(std::uint64_t seed, int number, int vectors, double noise, double goa
     std::fprintf(stderr, "field %d: %s\n", number, to_string(fit.error()).c_str());
     return;
   }
-  const bool is_certified = cage_test::certified({fit->cell}).verdict == Verdict::kValid;
+  const Certified answer = cage_test::certified({fit->cell});
+  const bool is_certified = answer.verdict == Verdict::kValid;
+  for (const auto& finding : answer.findings)
+    std::fprintf(stderr, "field %d: %s\n", number, text_of(finding).c_str());
   const auto to_given = angles(fit->cell, given.field.points, given.field.axes);
   const auto to_truth = angles(fit->cell, given.field.points, given.truth);
   const double middle = median(to_given), most = worst(to_given);

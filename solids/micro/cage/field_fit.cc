@@ -6,8 +6,11 @@
 
 #include "solids/micro/cage/field_fit_internal.h"
 #include "solids/micro/cage/principal_axes.h"
+#include "solids/micro/cage/scale_floor_internal.h"
 #include "solids/vmodel/jacobian_sign.h"
 #include "solids/vmodel/v_model.h"
+#include "splines/convert.h"
+#include "splines/knot_insertion.h"
 
 #ifdef FIT_TRACE
 #include <cstdio>
@@ -23,8 +26,10 @@ constexpr double kUnit = 0x1p-20;
 constexpr double kWide = 0.25;          // of the diagonal, around the first box
 constexpr double kWorkingMargin = 0.1;  // of the parameters, while the fit goes on
 constexpr double kBeyond = 1;  // spans outside of the domain in which points are still found
-constexpr int kMostTries = 4, kCutHalvings = 5;
-constexpr double kLeastDamping = 0x1p-30;
+constexpr double kLeastScale = 0x1p-7;  // of the mean determinant
+constexpr int kScaleHalvings = 6;
+constexpr int kMostTries = 6, kCutHalvings = 5;
+constexpr double kLeastDamping = 0x1p-30, kFirstBrake = 0x1p-16;
 constexpr double kFirstSmooth = 1, kCoarseSmooth = 1e-3, kLeastSmooth = 1e-10;
 constexpr std::size_t kHeldOut = 8;      // one vector in so many
 constexpr std::size_t kFewVectors = 64;  // with fewer, none is held out
@@ -127,6 +132,7 @@ Point3d FieldFit::lengths(const FieldNet& net) const {
 void FieldFit::take_measure() {
   smoothness_ = Smoothness(state_.net, lengths(state_.net));
   moments_.emplace(state_.net, state_.at);
+  brakes_.assign(state_.net.points.size(), 0.0);
 }
 
 bool FieldFit::relocate(State& state, const std::vector<Parameters3>& from, Inside inside) const {
@@ -163,24 +169,44 @@ double FieldFit::held_out_error() const {
 }
 
 bool FieldFit::is_proved(const FieldNet& net, std::optional<FitStop>* stop) const {
-  const auto model = make_v_model({net.cell(grid_, Rational(1), {})}, VOrientation::kKeep);
+  const CellVolume cell = net.cell(grid_, Rational(1), {});
+  if (const auto low = low_span(net, cell)) {
+    if (stop != nullptr) *stop = stop_in(net, *low);
+    return false;
+  }
+  const auto model = make_v_model({cell}, VOrientation::kKeep);
   if (!model) return false;
   JacobianOptions options;
   options.jobs = jobs_;
   const VDeterminants answer = decide_determinants(*model, options);
   if (answer.is_proved()) return true;
   if (stop == nullptr) return false;
-  Parameters3 middle;
-  FitStop found;
+  std::array<std::size_t, 3> span;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto& [a, b] = answer.findings.front().box[k];
     const double m = nearest_double((a + b) / Rational(2));
-    found.span[k] = std::min(static_cast<std::size_t>(std::max(m, 0.0)), grid_.spans[k] - 1);
-    middle[k] = static_cast<double>(found.span[k]) + 0.5;
+    span[k] = std::min(static_cast<std::size_t>(std::max(m, 0.0)), grid_.spans[k] - 1);
   }
-  found.near = net.jet(net.weights(middle)).point;
-  *stop = found;
+  *stop = stop_in(net, span);
   return false;
+}
+
+std::optional<std::array<std::size_t, 3>> FieldFit::low_span(const FieldNet& net,
+                                                             const CellVolume& cell) const {
+  const Point3d length = lengths(net);
+  double least = kLeastScale;
+  for (std::size_t k = 0; k < 3; ++k) least *= length[k] / static_cast<double>(grid_.spans[k]);
+  const auto pieces = bezier_pieces(nearest_double(cell).value());
+  const Grid<3> grid = pieces.grid();
+  for (std::size_t n = 0; n < grid.count(); ++n)
+    if (!has_scale(pieces.pieces[n], least, kScaleHalvings)) return grid.index_of(n);
+  return std::nullopt;
+}
+
+FitStop FieldFit::stop_in(const FieldNet& net, const std::array<std::size_t, 3>& span) {
+  Parameters3 middle;
+  for (std::size_t k = 0; k < 3; ++k) middle[k] = static_cast<double>(span[k]) + 0.5;
+  return {span, net.jet(net.weights(middle)).point};
 }
 
 bool FieldFit::step(Inside inside) {
@@ -191,8 +217,11 @@ bool FieldFit::step(Inside inside) {
   const double before = energy(state_);
   std::optional<FitStop> stop;
   for (int tries = 0; tries < kMostTries; ++tries) {
-    const auto moves =
-        solve_field(state_.net, rows, wide, smoothness_, {smooth_, damping_, 1e-2, 150});
+    FieldSolve solve;
+    solve.smooth = smooth_;
+    for (const double brake : brakes_) solve.damping.push_back(damping_ + brake);
+    const auto moves = solve_field(state_.net, rows, wide, smoothness_, solve);
+    stop.reset();
     for (const double part : {1.0, 0.5}) {
       State trial = state_;
       for (std::size_t n = 0; n < moves.size(); ++n) {
@@ -207,17 +236,34 @@ bool FieldFit::step(Inside inside) {
         TRACE("  step %g damping %g: %g -> %g\n", part, damping_, before, after);
         if (part == 1) damping_ = std::max(damping_ / 8, kLeastDamping);
         stop_.reset();
+        for (double& brake : brakes_) brake = brake < kLeastDamping ? 0 : brake / 4;
         return after < before * (1 - 1e-3);
       }
       TRACE("  reject %g damping %g found %d after %g before %g stop %d\n", part, damping_,
             is_found, after, before, stop.has_value());
       ++shortened_;
     }
-    damping_ *= 16;
+    if (stop)
+      brake(stop->span);
+    else
+      damping_ *= 16;
   }
-  damping_ /= 256;
+  if (!stop) damping_ /= 256;
   stop_ = std::move(stop);
   return false;
+}
+
+// Control points that count in a span whose determinant is in the way move less; the others go on.
+void FieldFit::brake(const std::array<std::size_t, 3>& span) {
+  Grid<3> window;
+  for (std::size_t k = 0; k < 3; ++k)
+    window.size[k] = static_cast<std::size_t>(grid_.degrees[k]) + 1;
+  for (std::size_t i = 0; i < window.count(); ++i) {
+    auto at = window.index_of(i);
+    for (std::size_t k = 0; k < 3; ++k) at[k] += span[k];
+    double& brake = brakes_[state_.net.grid.at(at)];
+    brake = std::max({16 * brake, 16 * damping_, kFirstBrake});
+  }
 }
 
 void FieldFit::descend(int most, Inside inside) {
@@ -269,6 +315,11 @@ bool FieldFit::is_tight() const {
   return false;
 }
 
+void FieldFit::widen() {
+  margin_part_ *= 2;
+  cut(0);
+}
+
 bool FieldFit::cut(double least) {
   Parameters3 low, high;
   for (std::size_t k = 0; k < 3; ++k) low[k] = high[k] = state_.at.front()[k];
@@ -290,7 +341,8 @@ bool FieldFit::cut(double least) {
   for (int halving = 0; halving < kCutHalvings; ++halving, part /= 2) {
     Parameters3 from, to;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double margin = part * data_.margin / length[k] * static_cast<double>(grid_.spans[k]);
+      const double margin =
+          part * margin_part_ * data_.margin / length[k] * static_cast<double>(grid_.spans[k]);
       from[k] = low[k] - margin;
       to[k] = high[k] + margin;
     }

@@ -24,6 +24,8 @@ class FieldFit {
   FieldFit(const FieldData& data, const CageGrid& grid, unsigned jobs);
 
   void run();
+  /// Doubles the margin.
+  void widen();
 
   const FieldNet& net() const { return state_.net; }
   const std::vector<Parameters3>& places() const { return state_.at; }
@@ -48,9 +50,14 @@ class FieldFit {
   bool relocate(State& state, const std::vector<Parameters3>& from, Inside inside) const;
   double energy(const State& state) const;
   double held_out_error() const;
+  /// A span in which the determinant nearly vanishes.
+  std::optional<std::array<std::size_t, 3>> low_span(const FieldNet& net,
+                                                     const CellVolume& cell) const;
+  static FitStop stop_in(const FieldNet& net, const std::array<std::size_t, 3>& span);
   bool is_proved(const FieldNet& net, std::optional<FitStop>* stop) const;
   /// False if there is nothing to gain.
   bool step(Inside inside);
+  void brake(const std::array<std::size_t, 3>& span);
   void descend(int most, Inside inside);
   void coarse();
   void fine();
@@ -68,6 +75,8 @@ class FieldFit {
   Smoothness smoothness_;
   std::optional<ParameterMoments> moments_;
   double smooth_ = 1, damping_ = 0x1p-14;
+  std::vector<double> brakes_;  // of control points: damping that they have alone
+  double margin_part_ = 1;
   std::uint64_t steps_ = 0, shortened_ = 0;
   std::optional<FitStop> stop_;
 };

@@ -84,7 +84,7 @@ class NormalEquations {
   Moves apply(const Moves& x) const {
     Moves out(x.size());
     for (std::size_t n = 0; n < x.size(); ++n)
-      for (std::size_t k = 0; k < 3; ++k) out[n][k] = options_.damping * x[n][k];
+      for (std::size_t k = 0; k < 3; ++k) out[n][k] = options_.damping[n] * x[n][k];
     smoothness_.apply(x, options_.smooth, out);
     for (const FieldRow& row : rows_) {
       const auto [move, along] = moves_at(net_.grid, row.weights, x);
@@ -122,7 +122,8 @@ class NormalEquations {
     blocks_.resize(net_.points.size());
     for (std::size_t n = 0; n < blocks_.size(); ++n)
       for (std::size_t k = 0; k < 3; ++k)
-        blocks_[n][k][k] = options_.damping + options_.smooth * smoothness_.diagonal()[n] + 0x1p-60;
+        blocks_[n][k][k] =
+            options_.damping[n] + options_.smooth * smoothness_.diagonal()[n] + 0x1p-60;
     for (const FieldRow& row : rows_) {
       std::array<Point3d, 2> slid;  // the rows of across times slide
       for (std::size_t r = 0; r < 2; ++r) {
@@ -147,7 +148,7 @@ class NormalEquations {
   std::span<const FieldRow> rows_;
   std::span<const WideRow> wide_;
   const Smoothness& smoothness_;
-  FieldSolve options_;
+  const FieldSolve& options_;
   double scale_ = 0;
   std::vector<Block> blocks_;
 };

@@ -85,12 +85,14 @@ class ParameterMoments {
   std::vector<Moment> moments_;
 };
 
-/// Minimises sum weight |row x - goal|^2 + smooth (P + x) S (P + x) + damping |x|^2 over moves x of the net P by
+/// Minimises sum weight |row x - goal|^2 + smooth (P + x) S (P + x) + sum damping |x|^2 over moves x of the net P by
 /// conjugate gradients, preconditioned by 3 x 3 blocks; at most `steps` of them, down to `tolerance` times the first
 /// residual.
 struct FieldSolve {
-  double smooth = 0, damping = 0, tolerance = 1e-3;
-  int steps = 200;
+  double smooth = 0;
+  std::vector<double> damping;  ///< of each control point
+  double tolerance = 1e-2;
+  int steps = 150;
 };
 std::vector<Point3d> solve_field(const FieldNet& net, std::span<const FieldRow> rows,
                                  std::span<const WideRow> wide, const Smoothness& smoothness,

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "solids/micro/cage/cage_containment.h"
 #include "solids/micro/cage/field_fit_internal.h"
 #include "solids/micro/cage/short_numbers_internal.h"
 
@@ -17,6 +18,8 @@ using internal::FieldData;
 using internal::FieldFit;
 using internal::Parameters3;
 
+constexpr std::size_t kMostMiddles = 4096;  // parts
+constexpr int kMostWidenings = 4;
 constexpr double kRadian = 57.29577951308232;
 
 bool is_finite(const Point3d& p) {
@@ -101,12 +104,23 @@ Result<FieldUnits> units_of(const CageBox& box) {
   return out;
 }
 
+// The middles of neighbouring corners of a part: where the cage bends, they may be outside when the corners are not.
+void add_middles(const CageContent& content, std::size_t part, std::vector<Point3d>& points) {
+  const auto corners = content.part(part);
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const Point3d a = points[corners[c]], b = points[corners[(c + 1) % corners.size()]];
+    points.push_back({0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])});
+  }
+}
+
 FieldData data_of(const DirectionField& field, const CageContent& content, const FieldUnits& units,
                   const Rational& margin) {
   FieldData out;
   for (const Point3d& p : field.points) out.points.push_back(units.to_unit(exact(p)));
   for (const Point3d& d : field.axes) out.directions.push_back(direction_of(d));
   for (const CellPoint& p : content.points) out.corners.push_back(units.to_unit(p));
+  for (std::size_t i = 0; i < content.num_parts() && content.num_parts() <= kMostMiddles; ++i)
+    add_middles(content, i, out.corners);
   out.margin = nearest_double(margin / units.scale);
   return out;
 }
@@ -177,6 +191,12 @@ Result<FitCage> fit_cage(const DirectionField& field, const CageContent& content
   const FieldData data = data_of(field, content, *units, options.margin);
   FieldFit fit(data, options.grid, options.jobs);
   fit.run();
+  for (int tries = 0; tries < kMostWidenings && content.num_parts() > 0; ++tries) {
+    const auto model = make_v_model({fit.net().cell(options.grid, units->scale, units->shift)},
+                                    VOrientation::kKeep);
+    if (!model || !find_gap(*model, content)) break;
+    fit.widen();
+  }
   FitCage out{fit.net().cell(options.grid, units->scale, units->shift),
               fit.steps(),
               fit.shortened(),

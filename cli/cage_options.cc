@@ -241,7 +241,7 @@ void declare_cage_options(OptionSet& set, CageOptions& o) {
   };
   set.operand(
       "KIND", [&o](const std::string& text) { return take_kind(text, o.kind); },
-      "box, radial, hull, split or fit");
+      "box, radial, hull, split, or fit --field F.csv");
   set.output("-o,--output", o.output, "write the cells: a spline file, .vjson");
   set.text("--around", o.around, "a mesh or splines that the cage contains", "M");
   set.option("--margin", "R", not_negative(o.margin), "grow by R times M's diagonal (1/20)");
@@ -259,7 +259,8 @@ void declare_cage_options(OptionSet& set, CageOptions& o) {
   hidden("--point", "X,Y,Z", exact_numbers(o.point, "three numbers", "X,Y,Z"), "on the axis");
   hidden("--start", "X,Y,Z", exact_numbers(o.start, "three numbers", "X,Y,Z"), "angle 0");
   set.option("--sector", "DEGREES", exact_number(o.sector), "radial: its angle (a full turn)");
-  set.text("--field", o.field, "fit: the directions to follow, CSV", "F.csv");
+  set.text("--field", o.field, "fit: the directions to follow", "F.csv");
+  set.hide("--field");
   set.text("--of", o.of, "split: the cage; --entity I: its cell (0)", "C.vjson");
   set.number("--entity", o.entity, {0, kMost32 - 1}, "the cell");
   set.hide("--entity");

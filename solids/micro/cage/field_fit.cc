@@ -241,6 +241,7 @@ bool FieldFit::step(Inside inside) {
       }
       TRACE("  reject %g damping %g found %d after %g before %g stop %d\n", part, damping_,
             is_found, after, before, stop.has_value());
+      if (stop) blocked_ = stop;
       ++shortened_;
     }
     if (stop)
@@ -372,6 +373,7 @@ bool FieldFit::cut(double least) {
 void FieldFit::run() {
   coarse();
   fine();
+  blocked_ = stop_;
   cut(0);
   damping_ = 0x1p-20;
   descend(6, Inside::kYes);

@@ -33,7 +33,8 @@ class FieldFit {
   double smooth() const { return smooth_; }
   std::uint64_t steps() const { return steps_; }
   std::uint64_t shortened() const { return shortened_; }
-  const std::optional<FitStop>& stop() const { return stop_; }
+  /// The last span in which a trial of the last steps had no proved determinant.
+  const std::optional<FitStop>& stop() const { return blocked_; }
 
  private:
   struct State {
@@ -78,7 +79,8 @@ class FieldFit {
   std::vector<double> brakes_;  // of control points: damping that they have alone
   double margin_part_ = 1;
   std::uint64_t steps_ = 0, shortened_ = 0;
-  std::optional<FitStop> stop_;
+  std::optional<FitStop> stop_;     // of a step that was given up
+  std::optional<FitStop> blocked_;  // of a trial
 };
 
 }  // namespace veritope::internal

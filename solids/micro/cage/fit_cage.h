@@ -39,7 +39,7 @@ struct FitCageOptions {
   unsigned jobs = 1;  ///< threads of the proofs; the result is the same for every number
 };
 
-/// Where det J > 0, or nothing better than a longer cage, ended the fit.
+/// Where det J > 0 shortened the last steps of the fit.
 struct FitStop {
   std::array<std::size_t, 3> span{};  ///< along u, v, w, from 0
   Point3d near{};                     ///< the image of the middle of the span, approximately
@@ -49,9 +49,8 @@ struct FitCage {
   CellVolume cell;              ///< with a fourth coordinate, an attribute, if there is a thickness
   std::uint64_t steps = 0;      ///< that were taken
   std::uint64_t shortened = 0;  ///< halvings of steps
-  std::optional<FitStop>
-      stop;  ///< the span whose determinant was not proved positive after a longer step
-  double smoothness = 0;  ///< the weight of second derivatives that was chosen
+  std::optional<FitStop> stop;  ///< where longer last steps would not leave det J proved positive
+  double smoothness = 0;        ///< the weight of second derivatives that was chosen
   std::vector<double>
       approx_angles;  ///< between each axis and the w line through its point, in degrees
   /// The differences between the attribute and the thickness of each vector.

@@ -12,13 +12,6 @@
 #include "splines/convert.h"
 #include "splines/knot_insertion.h"
 
-#ifdef FIT_TRACE
-#include <cstdio>
-#define TRACE(...) std::fprintf(stderr, __VA_ARGS__)
-#else
-#define TRACE(...)
-#endif
-
 namespace veritope::internal {
 namespace {
 
@@ -233,14 +226,11 @@ bool FieldFit::step(Inside inside) {
       if (is_found && after < before && is_proved(trial.net, &stop)) {
         state_ = std::move(trial);
         ++steps_;
-        TRACE("  step %g damping %g: %g -> %g\n", part, damping_, before, after);
         if (part == 1) damping_ = std::max(damping_ / 8, kLeastDamping);
         stop_.reset();
         for (double& brake : brakes_) brake = brake < kLeastDamping ? 0 : brake / 4;
         return after < before * (1 - 1e-3);
       }
-      TRACE("  reject %g damping %g found %d after %g before %g stop %d\n", part, damping_,
-            is_found, after, before, stop.has_value());
       if (stop) blocked_ = stop;
       ++shortened_;
     }
@@ -275,7 +265,6 @@ void FieldFit::coarse() {
   for (smooth_ = kFirstSmooth; smooth_ >= kCoarseSmooth; smooth_ /= 10) {
     descend(4, Inside::kNearly);
     cut(kWorkingMargin);
-    TRACE("coarse %g: %g\n", smooth_, energy(state_));
   }
   smooth_ = kCoarseSmooth;
 }
@@ -291,7 +280,6 @@ void FieldFit::fine() {
     if (is_tight()) cut(kWorkingMargin);
     descend(6, Inside::kYes);
     const double error = held_out_error();
-    TRACE("fine %g: held out %g energy %g\n", smooth_, std::sqrt(error) * 57.3, energy(state_));
     // The cage gets less smooth for little.
     if (!(error < 0.99 * best_error)) break;
     best = state_;
@@ -359,14 +347,11 @@ bool FieldFit::cut(double least) {
     for (Parameters3& at : trial.at) at = mapped(at);
     const std::vector<Parameters3> places = trial.at;
     if (!relocate(trial, places, Inside::kYes) || !is_proved(trial.net, nullptr)) continue;
-    TRACE("cut to %g %g %g .. %g %g %g, part %g\n", from[0], from[1], from[2], to[0], to[1], to[2],
-          part);
     state_ = std::move(trial);
     for (Parameters3& at : corner_at_) at = mapped(at);
     take_measure();
     return true;
   }
-  TRACE("not cut\n");
   return false;
 }
 

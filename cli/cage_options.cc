@@ -10,7 +10,7 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<const char*, 4> kKinds = {"box", "radial", "hull", "split"};
+constexpr std::array<const char*, 5> kKinds = {"box", "radial", "hull", "split", "fit"};
 
 std::vector<std::string> tokens_of(const std::string& text) {
   std::vector<std::string> out;
@@ -98,12 +98,12 @@ struct KindOption {
 
 std::vector<KindOption> kind_options(const CageOptions& o) {
   using enum CageKind;
-  return {{"--around", o.around.has_value(), {kBox, kRadial, kHull}},
-          {"--margin", o.margin.has_value(), {kBox, kRadial, kHull}},
+  return {{"--around", o.around.has_value(), {kBox, kRadial, kHull, kFit}},
+          {"--margin", o.margin.has_value(), {kBox, kRadial, kHull, kFit}},
           {"--min", o.min.has_value(), {kBox}},
           {"--max", o.max.has_value(), {kBox}},
-          {"--degrees", o.degrees.has_value(), {kBox, kHull}},
-          {"--spans", o.spans.has_value(), {kBox, kHull}},
+          {"--degrees", o.degrees.has_value(), {kBox, kHull, kFit}},
+          {"--spans", o.spans.has_value(), {kBox, kHull, kFit}},
           {"--point", o.point.has_value(), {kRadial}},
           {"--axis", o.axis.has_value(), {kRadial}},
           {"--start", o.start.has_value(), {kRadial}},
@@ -111,6 +111,7 @@ std::vector<KindOption> kind_options(const CageOptions& o) {
           {"--outer", o.outer.has_value(), {kRadial}},
           {"--height", o.height.has_value(), {kRadial}},
           {"--sector", o.sector.has_value(), {kRadial}},
+          {"--field", o.field.has_value(), {kFit}},
           {"--of", o.of.has_value(), {kSplit}},
           {"--entity", o.entity.has_value(), {kSplit}},
           {"--at", o.at.has_value(), {kSplit}},
@@ -153,13 +154,19 @@ std::string wrong_split(const CageOptions& o) {
   return "";
 }
 
+std::string wrong_fit(const CageOptions& o) {
+  if (!o.field) return "fit needs --field F.csv, the directions to follow";
+  return o.margin && o.margin->sign() == Sign::kZero ? "--margin of a fit must be positive" : "";
+}
+
 std::string wrong_options(const CageOptions& o) {
   if (!o.output) return "-o C.vjson is required, the file of the cells";
   if (*o.output != "-" && !o.output->ends_with(".vjson"))
     return "the name " + *o.output + " does not end in .vjson";
   if (std::string wrong = foreign_option(o); !wrong.empty()) return wrong;
-  if (o.around == "-" || o.of == "-") return "- is not read: the model needs a file";
-  if (o.margin && !o.around) return "--margin needs --around";
+  if (o.around == "-" || o.of == "-" || o.field == "-")
+    return "- is not read: the model needs a file";
+  if (o.margin && !o.around && *o.kind != CageKind::kFit) return "--margin needs --around";
   switch (*o.kind) {
     case CageKind::kBox:
       return wrong_size(o, o.min.has_value(), o.max.has_value(), o.min || o.max, "--min and --max");
@@ -171,6 +178,7 @@ std::string wrong_options(const CageOptions& o) {
       return o.margin && o.margin->sign() == Sign::kZero ? "--margin of a hull must be positive"
                                                          : "";
     case CageKind::kSplit: return wrong_split(o);
+    case CageKind::kFit: return wrong_fit(o);
   }
   return "";
 }
@@ -181,7 +189,7 @@ std::string take_kind(const std::string& text, std::optional<CageKind>& kind) {
       kind = static_cast<CageKind>(i);
       return "";
     }
-  return "must be box, radial, hull or split, not " + text +
+  return "must be box, radial, hull, split or fit, not " + text +
          did_you_mean(text, {kKinds.begin(), kKinds.end()});
 }
 
@@ -193,8 +201,9 @@ CageOptions::CageOptions() { reading.jobs = default_jobs(); }
 
 Rational CageOptions::margin_part() const { return margin ? *margin : Rational(1) / Rational(20); }
 
-CageGrid CageOptions::grid(std::uint64_t default_spans) const {
+CageGrid CageOptions::grid(std::uint64_t default_spans, int default_degree) const {
   CageGrid out;
+  out.degrees.fill(default_degree);
   for (std::size_t k = 0; k < 3; ++k) {
     if (degrees) out.degrees[k] = static_cast<int>((*degrees)[k]);
     out.spans[k] = spans ? (*spans)[k] : default_spans;
@@ -232,7 +241,7 @@ void declare_cage_options(OptionSet& set, CageOptions& o) {
   };
   set.operand(
       "KIND", [&o](const std::string& text) { return take_kind(text, o.kind); },
-      "box, radial, hull or split");
+      "box, radial, hull, split, or fit --field F.csv");
   set.output("-o,--output", o.output, "write the cells: a spline file, .vjson");
   set.text("--around", o.around, "a mesh or splines that the cage contains", "M");
   set.option("--margin", "R", not_negative(o.margin), "grow by R times M's diagonal (1/20)");
@@ -240,7 +249,7 @@ void declare_cage_options(OptionSet& set, CageOptions& o) {
              "box: a corner; --max X,Y,Z: the opposite one");
   hidden("--max", "X,Y,Z", exact_numbers(o.max, "three numbers", "X,Y,Z"), "the opposite corner");
   set.option("--degrees", "P,Q,R", counts_from_1(o.degrees, kMaxCellDegree, "P,Q,R"),
-             "box, hull: degrees (1,1,1); --spans A,B,C");
+             "box, hull, fit: degrees; --spans A,B,C");
   hidden("--spans", "A,B,C", counts_from_1(o.spans, kMaxCageSpans, "A,B,C"), "knot spans");
   set.option("--outer", "R", not_negative(o.outer), "radial: radius; --inner R (0); --height A,B");
   hidden("--inner", "R", not_negative(o.inner), "the radius of a hole");
@@ -250,6 +259,8 @@ void declare_cage_options(OptionSet& set, CageOptions& o) {
   hidden("--point", "X,Y,Z", exact_numbers(o.point, "three numbers", "X,Y,Z"), "on the axis");
   hidden("--start", "X,Y,Z", exact_numbers(o.start, "three numbers", "X,Y,Z"), "angle 0");
   set.option("--sector", "DEGREES", exact_number(o.sector), "radial: its angle (a full turn)");
+  set.text("--field", o.field, "fit: the directions to follow", "F.csv");
+  set.hide("--field");
   set.text("--of", o.of, "split: the cage; --entity I: its cell (0)", "C.vjson");
   set.number("--entity", o.entity, {0, kMost32 - 1}, "the cell");
   set.hide("--entity");

@@ -14,8 +14,8 @@
 
 namespace veritope::cli {
 
-enum class CageKind { kBox, kRadial, kHull, kSplit };
-/// "box", "radial", "hull", "split".
+enum class CageKind { kBox, kRadial, kHull, kSplit, kFit };
+/// "box", "radial", "hull", "split", "fit".
 const char* cage_kind_name(CageKind kind);
 
 /// A parameter of an axis: "u=1/2".
@@ -44,6 +44,8 @@ struct CageOptions {
   std::optional<CellPoint> point, axis, start;
   std::optional<Rational> inner, outer, sector;
   std::optional<std::array<Rational, 2>> height;
+  // A field to follow.
+  std::optional<std::string> field;
   // A split.
   std::optional<std::string> of;
   std::optional<std::uint32_t> entity;
@@ -54,7 +56,7 @@ struct CageOptions {
 
   Rational margin_part() const;
   /// With these spans where no others are given.
-  CageGrid grid(std::uint64_t default_spans) const;
+  CageGrid grid(std::uint64_t default_spans, int default_degree = 1) const;
   RadialShape shape() const;
   /// REQUIRES --at.
   CageSplit split() const;

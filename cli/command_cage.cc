@@ -6,6 +6,7 @@
 
 #include "cli/cage_model.h"
 #include "cli/cage_options.h"
+#include "cli/cage_to_field.h"
 #include "cli/commands.h"
 #include "cli/output_plan.h"
 #include "io/read_model.h"
@@ -42,6 +43,7 @@ class CageRun {
 
   const std::string& path() const { return *options_.output; }
   const std::optional<std::string>& input() const {
+    if (options_.field) return options_.field;
     return options_.around ? options_.around : options_.of;
   }
 
@@ -63,7 +65,8 @@ class CageRun {
 
   Status check_outputs() const {
     std::vector<std::string> inputs;
-    if (input()) inputs.push_back(*input());
+    for (const auto& name : {options_.around, options_.of, options_.field})
+      if (name) inputs.push_back(*name);
     const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, options_.json);
     if (!plan) return plan.error();
     if (const Status status = check_output("--output", path(), inputs, *plan, options_.json);
@@ -86,6 +89,7 @@ class CageRun {
       case CageKind::kBox: return one(box());
       case CageKind::kRadial: return radial();
       case CageKind::kHull: return hull();
+      case CageKind::kFit: return fit();
       case CageKind::kSplit: break;
     }
     return split();
@@ -131,6 +135,15 @@ class CageRun {
     report_.pull = {cage->rounds, cage->shortened};
     is_checked_ = true;
     return Cells{cage->cell};
+  }
+
+  Result<Cells> fit() {
+    Result<FittedCage> fitted = fitted_cage(options_, model_ ? &model_->content : nullptr);
+    if (!fitted) return fitted.error();
+    report_.fit = fitted->report;
+    report_.sha256 = fitted->sha256;
+    is_checked_ = model_.has_value();
+    return Cells{std::move(fitted->cell)};
   }
 
   Result<Cells> split() {

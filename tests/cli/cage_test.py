@@ -96,6 +96,43 @@ class Cage(support.Folder):
         hull = self.cage("hull", "--around", BUNNY, "--spans", "4,4,4")
         self.assertLess(hull["volume"]["hi"], 0.5 * box["volume"]["lo"])
 
+    def field(self, lines, name="f.csv"):
+        path = self.folder / name
+        path.write_text("".join(line + "\n" for line in lines))
+        return path
+
+    def test_a_fit_follows_directions_and_tensors(self):
+        places = [(x / 4, y / 4, z / 4) for x in range(3) for y in range(3) for z in range(5)]
+        vectors = ["x,y,z,dx,dy,dz,t"] + [f"{x},{y},{z},{(-1) ** i * 0.2 * z},0,{(-1) ** i},{1 / 8 + z / 64}" for i, (x, y, z) in enumerate(places)]
+        small = ["--spans", "1,1,2"]
+        report = self.cage("fit", "--field", self.field(vectors), *small)
+        self.assertEqual((report["kind"], report["fit"]["vectors"], report["fit"]["tensors"]), ("fit", 45, False))
+        self.assertEqual(report["counts"]["control_points"], 4 * 4 * 5)
+        self.assertLess(report["fit"]["degrees"]["worst"], 3)
+        self.assertLess(report["fit"]["thickness_error"], 0.001)
+        self.assertEqual(len(self.entities[0]["shape"]["points"][0]), 4)
+        tensors = [f"{x} {y} {z} 1 1 2 0 0 0" for x, y, z in places]
+        report = self.cage("fit", "--field", self.field(tensors), "--around", FRAME, "--degrees", "1,1,1", *small)
+        self.assertTrue(report["fit"]["tensors"])
+        self.assertLess(report["fit"]["degrees"]["worst"], 0.01)
+        self.assertIsNone(report["fit"]["thickness_error"])
+
+    def test_a_field_that_is_wrong_is_refused_with_its_line(self):
+        good = "0 0 0 0 0 1"
+        for lines, words in (([good, "0 0 0 0 0 x"], "line 2: dz: 'x' is not a number"), ([good, "0 0 0 0 0 0"], "line 2: the direction is 0"),
+                             ([good, "1 nan 0 0 0 1"], "line 2: y: 'nan' is not finite"), (["0 0 0 1 1 1 0 0 0"], "line 1: the tensor has no first principal direction"),
+                             ([good], "all vectors are at one place"), ([], "there is no vector in it"), (["1 2 3"], "line 1: a line has 6 numbers")):
+            with self.subTest(words):
+                self.assertIn(words, self.cage("fit", "--field", self.field(lines), expect=4))
+        field = self.field([good, "1 1 1 0 0 1"])
+        for arguments, status, words in ((["fit"], 2, "fit needs --field F.csv"), (["fit", "--field", field, "--margin", 0], 2, "--margin of a fit must be positive"),
+                                         (["fit", "--field", field, "--degrees", "8,1,1"], 4, "--degrees of a fit are at most 7"),
+                                         (["fit", "--field", field, "--spans", "17,16,16"], 4, "--spans of a fit are at most 4096"),
+                                         (["fit", "--field", self.folder / "none.csv"], 4, "none.csv"),
+                                         (["box", "--field", field, "--min", "0,0,0", "--max", "1,1,1"], 2, "--field is for fit, not for box")):
+            with self.subTest(words):
+                self.assertIn(words, self.cage(*arguments, expect=status))
+
     def test_a_split_cage_stays_glued_and_a_crack_opens(self):
         self.cage("box", "--min", "0,0,0", "--max", "2,2,2", name="box.vjson")
         report = self.cage("split", "--of", self.folder / "box.vjson", "--at", "u=1/3")

@@ -83,7 +83,7 @@ VALUES = [
     ("boolean 'A & B' A=a.off -o e.json", 2, "EXPR: column 5: the name B has no file: write B=FILE"),
     ("boolean A A=a.off -o e.off", 2, "the name e.off does not end in .json"),
     ("boolean A A=a.off -o e.json --box 0,0,0,1,1", 2, "--box: needs six bounds X0,Y0,Z0,X1,Y1,Z1, and there are 5"),
-    ("cage bxo -o c.vjson", 2, "KIND: must be box, radial, hull or split, not bxo; did you mean box?"),
+    ("cage bxo -o c.vjson", 2, "KIND: must be box, radial, hull, split or fit, not bxo; did you mean box?"),
     ("cage box --min 0,0 --max 1,1,1 -o c.vjson", 2, "--min: needs three numbers X,Y,Z, not 0,0"),
     ("cage box --min 0,0,x --max 1,1,1 -o c.vjson", 2, "--min: needs decimals, fractions or hexadecimal numbers X,Y,Z, and has 'x'"),
     ("cage box --min 0,0,0 --max 1,1,1 --degrees 1,16,1 -o c.vjson", 2, "--degrees: needs three numbers P,Q,R from 1 to 15, not 1,16,1"),

@@ -17,6 +17,8 @@ struct CageGrid {
   std::array<std::uint64_t, 3> spans{1, 1, 1};
 };
 
+/// The greatest degree of cages that follow fields (fit_cage.h).
+inline constexpr int kMaxFitDegree = 7;
 /// The most knot spans along an axis.
 inline constexpr std::uint64_t kMaxCageSpans = 4096;
 

@@ -9,11 +9,10 @@
 
 #include "solids/micro/cage/cage_containment.h"
 #include "solids/micro/cage/content_search_internal.h"
+#include "solids/micro/cage/scale_floor_internal.h"
 #include "solids/micro/cage/short_numbers_internal.h"
-#include "solids/vmodel/jacobian_net.h"
 #include "solids/vmodel/jacobian_sign.h"
 #include "splines/convert.h"
-#include "splines/de_casteljau.h"
 #include "splines/knot_insertion.h"
 
 namespace veritope {
@@ -226,11 +225,7 @@ class NetTrial {
     const auto pieces = bezier_pieces(nearest_double(cell).value());
     const Grid<3> grid = pieces.grid();
     for (std::size_t n = 0; n < grid.count(); ++n) {
-      std::array<int, 3> degrees;
-      for (std::size_t k = 0; k < 3; ++k) degrees[k] = 3 * net_.grid().degrees[k] - 1;
-      const BezierVolume<double> scale(degrees, 1, false,
-                                       internal::plain_jacobian(pieces.pieces[n]));
-      if (is_large(scale, kScaleHalvings)) continue;
+      if (internal::has_scale(pieces.pieces[n], least_scale_, kScaleHalvings)) continue;
       // The faces that are nearest to the span.
       const Index3 span = grid.index_of(n);
       std::size_t nearest = span[0];
@@ -241,21 +236,6 @@ class NetTrial {
         if (grid.size[k] - 1 - span[k] == nearest) blame_window(span, k, 1);
       }
     }
-  }
-
-  // Whether the function is at least the least scale.
-  bool is_large(const BezierVolume<double>& scale, int halvings) const {
-    const auto values = scale.coefficients();
-    if (*std::min_element(values.begin(), values.end()) >= least_scale_) return true;
-    const Grid<3> grid = scale.grid();
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      Index3 at;
-      for (std::size_t k = 0; k < 3; ++k) at[k] = (corner >> k & 1) == 0 ? 0 : grid.size[k] - 1;
-      if (values[grid.at(at)] < least_scale_) return false;
-    }
-    if (halvings == 0) return false;
-    const auto [first, second] = split(scale, static_cast<std::size_t>(halvings % 3), 0.5);
-    return is_large(first, halvings - 1) && is_large(second, halvings - 1);
   }
 
   // The control points of a face that count most in the span: those that lie in it by their Greville abscissae.

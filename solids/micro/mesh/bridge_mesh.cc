@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 
 #include "robust/base/check.h"
 #include "solids/micro/mesh/bridge_mesh_internal.h"
@@ -63,6 +64,17 @@ Box3 BridgeMesh::value(const std::array<Rational, 3>& at) const {
     return part.map.value(local);
   }
   VT_CHECK(false, "the point of a bridge is not in the box of its control points");
+}
+
+double BridgeMesh::approx_size() const {
+  const Rational half = Rational(1) / Rational(2), zero(0), one(1);
+  const auto length = [&](const std::array<Rational, 3>& from, const std::array<Rational, 3>& to) {
+    const auto p = mid(value(from)), q = mid(value(to));
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  };
+  return std::min({length({half, half, zero}, {half, half, one}),
+                   length({zero, half, one}, {one, half, one}),
+                   length({half, zero, one}, {half, one, one})});
 }
 
 // Upper bounds of derivatives by the volume's own parameters.

@@ -24,6 +24,8 @@ class BridgeMesh {
   BridgeMesh(const VVolume& volume, const MicroBridge& bridge);
 
   BridgeError error() const;
+  /// The least of the lengths of the bridge and of its end along both axes, approximate.
+  double approx_size() const;
   /// Contains the image of the point with these parameters, in [0, 1].
   Box3 value(const std::array<Rational, 3>& at) const;
 

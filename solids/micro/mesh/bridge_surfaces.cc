@@ -18,11 +18,18 @@ namespace {
 constexpr std::size_t kBridgesInChunk = 4;
 // The errors along the axis and across it may each be this part of the chord; the rest is for gaps.
 constexpr double kBridgeShare = 0.125;
+// Along the axis the error is at most this part of the size, too, so that short bridges keep their bend.
+constexpr double kSizeShare = 1.0 / 16;
 
 Error too_many_parts(const char* what) {
   return {Code::kOverLimit,
           {},
           std::string("a mesh with this chord has more than 2^20 parts along ") + what};
+}
+
+// How far a bridge may be from its facets: at most half of its size, so that short ones do not cross themselves.
+double own_chord(double size, double chord) {
+  return size > 0 ? std::min(chord, 0.5 * size) : chord;
 }
 
 // The vertex of the tile's mesh at the point (i, j) of the bridge's rim.
@@ -112,7 +119,10 @@ void BridgeSurfaces::for_each(Visit visit) {
 
 std::optional<Error> BridgeSurfaces::find_errors() {
   if (error_) return error_;
-  for_each([](Placed& b, const BridgeMesh& mesh) { b.error = mesh.error(); });
+  for_each([](Placed& b, const BridgeMesh& mesh) {
+    b.error = mesh.error();
+    b.size = mesh.approx_size();
+  });
   for (const Placed& b : bridges_)
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (!(b.error.bend[axis] + b.error.crease[axis] < std::numeric_limits<double>::infinity()))
@@ -123,16 +133,19 @@ std::optional<Error> BridgeSurfaces::find_errors() {
 std::optional<Error> BridgeSurfaces::choose_parts(double chord, PartNumbers& numbers) {
   if (is_empty()) return std::nullopt;
   std::vector<PatchError> across(numbers.num_patches());
-  // A crease / n is at most the share if crease^2 / share / n^2 is.
   const double share = chord * kBridgeShare;
-  const auto error_along = [&](const Placed& b, std::size_t axis) {
-    return b.error.bend[axis] + b.error.crease[axis] * b.error.crease[axis] / share;
+  // Errors in units of a share. A crease / n is at most c if crease^2 / c / n^2 is.
+  const auto error_along = [](const Placed& b, std::size_t axis, double c) {
+    return (b.error.bend[axis] + b.error.crease[axis] * b.error.crease[axis] / c) / c;
   };
   for (Placed& b : bridges_) {
     PatchError& e = across[cap_number(numbers, b)];
     for (std::size_t axis = 0; axis < 2; ++axis)
-      e.along[axis] = std::max(e.along[axis], error_along(b, b.is_swapped() ? 1 - axis : axis));
-    const double parts = std::ceil(std::sqrt(error_along(b, 2) / share));
+      e.along[axis] =
+          std::max(e.along[axis], share * error_along(b, b.is_swapped() ? 1 - axis : axis,
+                                                      own_chord(b.size, chord) * kBridgeShare));
+    const double along = b.size > 0 ? std::min(share, b.size * kSizeShare) : share;
+    const double parts = std::ceil(std::sqrt(error_along(b, 2, along)));
     if (!(parts <= PartNumbers::kMost)) return too_many_parts("a bridge");
     b.parts = std::max(b.parts, static_cast<std::uint32_t>(parts));
   }
@@ -243,7 +256,7 @@ bool BridgeSurfaces::are_close_enough(const TileMeshes& meshes, double chord, do
   for (Placed& b : bridges_) {
     const double d = distance_of(mesh_of(meshes, b), b, rounding);
     distance_ = std::max(distance_, d);
-    if (d <= chord) continue;
+    if (d <= std::max(own_chord(b.size, chord), std::min(chord, 64 * rounding))) continue;
     is_close = false;
     b.parts *= 2;
     numbers.raise(cap_number(numbers, b));

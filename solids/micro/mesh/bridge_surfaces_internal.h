@@ -50,6 +50,7 @@ class BridgeSurfaces {
     std::uint32_t number = 0, cell = 0, patch = 0;
     unsigned symmetry = 0;  // takes the patch's parameters to those of the bridge (bridge_front.h)
     BridgeError error;
+    double size = 0;          // approximate
     std::uint32_t parts = 1;  // along the axis
     double gap = 0;           // of its quadrilaterals
     std::uint64_t first_vertex = 0, first_facet = 0;

@@ -163,7 +163,7 @@ COUNTS = [
     ("cage box --min 0,0,0 -o c.vjson", 2, "box needs --around M, or --min and --max"),
     ("cage box --around a.off --min 0,0,0 -o c.vjson", 2, "--around excludes --min and --max"),
     ("cage box --inner 1 -o c.vjson", 2, "--inner is for radial, not for box"),
-    ("cage radial --around a.off --spans 1,1,1 -o c.vjson", 2, "--spans is for box and hull, not for radial"),
+    ("cage radial --around a.off --spans 1,1,1 -o c.vjson", 2, "--spans is for box, hull and fit, not for radial"),
     ("cage hull -o c.vjson", 2, "hull needs --around M"),
     ("cage radial --outer 1 -o c.vjson", 2, "radial needs --around M, or --outer and --height"),
     ("cage box --min 0,0,0 --max 1,1,1 --margin 1 -o c.vjson", 2, "--margin needs --around"),

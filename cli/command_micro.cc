@@ -26,6 +26,7 @@
 #include "solids/micro/measure/cage_scale.h"
 #include "solids/micro/measure/micro_volume.h"
 #include "solids/micro/mesh/micro_mesh.h"
+#include "solids/micro/micro_grid.h"
 #include "solids/micro/synthesis/filter_tiles.h"
 #include "solids/micro/synthesis/material.h"
 #include "solids/micro/synthesis/tile_places.h"
@@ -45,7 +46,7 @@ constexpr std::array<std::int32_t, 2> kCapLimits = {1, kMaxWallNumber / 2 - 1};
 struct MicroOptions {
   std::optional<std::string> cage, model;
   std::vector<TileChoice> tiles;
-  std::optional<std::array<std::uint64_t, 3>> counts;
+  std::vector<std::array<std::uint64_t, 3>> counts;  // one, or one for each volume
   std::optional<RealFormula> thickness, place;
   std::vector<std::pair<std::string, RealFormula>> materials;  // names and formulas
   std::optional<std::uint64_t> doubled_from;                   // a layer of w
@@ -57,18 +58,26 @@ struct MicroOptions {
   ModelReadOptions reading;
 };
 
+// K,M,N, or such counts for each volume of the cage, with / between them.
 std::string take_counts(const std::string& text,
-                        std::optional<std::array<std::uint64_t, 3>>& counts) {
-  std::array<std::uint64_t, 3> out{};
+                        std::vector<std::array<std::uint64_t, 3>>& counts) {
   const char *at = text.data(), *const end = text.data() + text.size();
-  for (std::size_t a = 0; a < 3; ++a) {
-    const auto read = std::from_chars(at, end, out[a]);
-    const bool goes_on = a < 2 ? read.ptr != end && *read.ptr == ',' : read.ptr == end;
-    if (read.ec != std::errc() || !goes_on || out[a] == 0)
-      return "needs three numbers K,M,N from 1, not " + text;
-    at = read.ptr + (a < 2 ? 1 : 0);
-  }
-  counts = out;
+  std::vector<std::array<std::uint64_t, 3>> out;
+  do {
+    if (!out.empty()) ++at;  // past the /
+    auto& own = out.emplace_back();
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto read = std::from_chars(at, end, own[a]);
+      const bool goes_on =
+          a < 2 ? read.ptr != end && *read.ptr == ',' : read.ptr == end || *read.ptr == '/';
+      if (read.ec != std::errc() || !goes_on || own[a] == 0)
+        return "needs three numbers K,M,N from 1, or such numbers for each volume, as in "
+               "2,3,4/2,3,1, not " +
+               text;
+      at = read.ptr + (a < 2 ? 1 : 0);
+    }
+  } while (at != end);
+  counts = std::move(out);
   return "";
 }
 
@@ -243,6 +252,10 @@ class MicroRun {
     return read ? kExitValid : refuse(read.error());
   }
   ExitCode fill() {
+    if (options_.counts.size() > 1 && options_.counts.size() != cage_.size())
+      return fail(bad_argument("--counts has numbers for " +
+                               std::to_string(options_.counts.size()) +
+                               " volumes, and the cage has " + std::to_string(cage_.size())));
     std::optional<Error> misplaced;
     Result<Microstructure> filled = filled_cage(
         [&, places = places()](const VVolume& volume, const MicroGrid& grid, std::uint64_t cell) {
@@ -268,11 +281,10 @@ class MicroRun {
     return numbered ? kExitValid : refute({"thickness", {}, {}, {}, numbered.error().message});
   }
   Result<Microstructure> filled_cage(const ChooseTile& choose) const {
-    const std::array<std::uint64_t, 3>& counts = *options_.counts;
-    if (!options_.doubled_from)
-      return fill_cage(cage_, *model_, counts, makers(), choose, options_.max_tiles);
     Result<std::vector<MicroGrid>> grids =
-        make_doubled_grids(cage_, counts, *options_.doubled_from, options_.max_tiles);
+        options_.doubled_from ? make_doubled_grids(cage_, options_.counts.front(),
+                                                   *options_.doubled_from, options_.max_tiles)
+                              : make_micro_grids(cage_, options_.counts, options_.max_tiles);
     if (!grids) return grids.error();
     return fill_grids(cage_, *model_, std::move(*grids), makers(), choose);
   }
@@ -607,15 +619,17 @@ RunCommand declare_micro(OptionSet& set) {
     if (!o->cage) return "--cage is required, a spline file of volumes";
     if (o->tiles.empty()) return "--tile is required, such as jack";
     if (o->tiles.size() > 1 && !o->place) return "several tiles need --place, a formula";
-    if (!o->counts) return "--counts is required, such as 10,10,10";
+    if (o->counts.empty()) return "--counts is required, such as 10,10,10";
     if (const std::string why = o->bridge.fault(o->model.has_value(), o->skin.has_value());
         !why.empty())
       return why;
     if (o->thickness && !has_jack(o->tiles)) return "--thickness needs a jack or a branch";
     if (o->doubled_from && !std::holds_alternative<JackShape>(o->tiles.front()))
       return "--double needs a jack as its first tile";
-    if (o->doubled_from && *o->doubled_from >= (*o->counts)[2])
-      return "--double needs a layer below the count of layers, " + std::to_string((*o->counts)[2]);
+    if (o->doubled_from && o->counts.size() > 1) return "--double needs one K,M,N for all volumes";
+    if (o->doubled_from && *o->doubled_from >= o->counts.front()[2])
+      return "--double needs a layer below the count of layers, " +
+             std::to_string(o->counts.front()[2]);
     if (!o->output) return "-o OUT.vmicro is required, the file of the microstructure";
     if (o->mesh.has_value() != o->chord.has_value()) return "--mesh and --chord need each other";
     if (o->mesh && format_from_path(*o->mesh, ModelKind::kMesh) == nullptr)

@@ -4,6 +4,8 @@
 
 bone.off          a bone of 4,252 triangles (figure 5)
 cylinder.vjson    a ball on a cylinder, one closed complex of rational surfaces of revolution (figures 3, 4, 8)
+cylinder.off      a mesh of it, for bridges: 48 points a ring
+duck.off          a mesh of the duck of ../vrep_figures (figure 7)
 bone_b.vjson      a cubic cage that follows the bone; bone_a.vjson, bone_c.vjson: linear across it (figure 5)
 All numbers are short dyadic or small rational numbers, and no random numbers are used.
 """
@@ -90,6 +92,56 @@ def surface_of_revolution(curve, quarter):
         "rational": True, "components": 4, "points": [[str(F(c)) for c in p] for p in points]}}
 
 
+def closed_rings(rings, south, north):
+    """Rings of as many points each, from the south pole to the north pole, counterclockwise seen from the north."""
+    n, points, faces = len(rings[0]), [p for ring in rings for p in ring] + [south, north], []
+    last = (len(rings) - 1) * n
+    for k in range(n):
+        m = (k + 1) % n
+        faces += [(len(points) - 2, m, k), (len(points) - 1, last + k, last + m)]
+        for low in range(0, last, n):
+            faces += [(low + k, low + m, low + n + m), (low + k, low + n + m, low + n + k)]
+    return [tuple(round(x * 4096) / 4096 for x in p) for p in points], faces
+
+
+def cylinder_mesh(segments=48):
+    heights = [(3, z) for z in (0, 2, 4, 6)]
+    start = math.atan2(-4, 3)
+    heights += [(5 * math.cos(t), 12 + 5 * math.sin(t)) for t in (start + (math.pi / 2 - start) * i / 20 for i in range(20))]
+    rings = [[(r * math.cos(a), r * math.sin(a), z) for a in (2 * math.pi * k / segments for k in range(segments))] for r, z in heights]
+    return closed_rings(rings, (0, 0, 0), (0, 0, 17))
+
+
+def de_boor(knots, degree, points, t):
+    """The point at t of a B-spline curve."""
+    span = max(i for i in range(degree, len(points)) if knots[i] <= t)
+    d = [list(points[span - degree + j]) for j in range(degree + 1)]
+    for r in range(1, degree + 1):
+        for j in range(degree, r - 1, -1):
+            i = span - degree + j
+            a = (t - knots[i]) / (knots[i + degree - r + 1] - knots[i])
+            d[j] = [(1 - a) * x + a * y for x, y in zip(d[j - 1], d[j])]
+    return d[degree]
+
+
+def duck_mesh(segments=32, rings=60):
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "vrep_figures"))
+    import make_trees  # its surface: closed rings, then along the spine
+    surface = make_trees.duck()
+    count = [int(k) for k in (10, len(surface["points"]) // 10)]
+    knots = [[float(F(k)) for k in axis] for axis in surface["knots"]]
+    net = [[[float(F(c)) for c in surface["points"][i * count[1] + j]] for j in range(count[1])] for i in range(count[0])]
+    out = []
+    for r in range(rings):
+        v = knots[1][-1] * r / (rings - 1)
+        ring = [de_boor(knots[1], 3, row, min(v, knots[1][-1] * (1 - 1e-12))) for row in net]
+        out.append([de_boor(knots[0], 3, ring, 4 * k / segments) for k in range(segments)])
+
+    def middle(ring):
+        return tuple(sum(p[x] for p in ring) / len(ring) for x in range(3))
+    return closed_rings(out, middle(out[0]), middle(out[-1]))
+
+
 def spline_file(path, entities):
     text = json.dumps({"format": "veritope-spline-1", "groups": [], "entities": entities}, separators=(",", ":"))
     pathlib.Path(path).write_text(text + "\n", encoding="ascii")
@@ -124,6 +176,8 @@ def bone_cage(degrees, spans, width, bulge):
 def main():
     folder = pathlib.Path(sys.argv[1])
     write_off(folder / "bone.off", bone())
+    write_off(folder / "cylinder.off", cylinder_mesh())
+    write_off(folder / "duck.off", duck_mesh())
     spline_file(folder / "cylinder.vjson", [surface_of_revolution(c, q) for q in QUARTERS for c in profile()])
     spline_file(folder / "bone_a.vjson", [bone_cage((1, 1, 3), (1, 1, 9), 1.72, 0.0)])
     spline_file(folder / "bone_b.vjson", [bone_cage((3, 3, 3), (1, 1, 9), 1.1, 0.85)])

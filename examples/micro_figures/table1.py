@@ -79,7 +79,7 @@ class Table:
         report = json.loads(self.run("micro", "--cage", cage, "--tile", self.options.tile, "--counts", counts, "--model", model,
                                      "-o", out, "--json", "-", *jobs, *self.options.more, allowed=(0, 3)))
         begin = time.monotonic()
-        [decided] = json.loads(self.run("certify", out, *(["--model", model] if self.options.inside else []), "--json", "-", allowed=(0, 1, 3)))["files"]
+        [decided] = json.loads(self.run("certify", out, "--model", model, "--json", "-", allowed=(0, 1, 3)))["files"]
         seconds = time.monotonic() - begin
         is_good = decided["verdict"] == "VALID"
         self.print_row(name, report, is_good, seconds)
@@ -102,7 +102,6 @@ def main():
     parser.add_argument("--row", nargs="*", choices=list(ROWS), default=list(ROWS))
     parser.add_argument("--bunny")
     parser.add_argument("--folder")
-    parser.add_argument("--inside", action="store_true")
     parser.add_argument("--jobs", default="1")
     parser.add_argument("--tile", default="jack")
     parser.add_argument("--more", nargs="*", default=[], help="options for veritope micro")

@@ -115,21 +115,9 @@ Result<Microstructure> fill_cage(std::vector<VVolume> cage, const VModel& model,
                                  const std::array<std::uint64_t, 3>& counts,
                                  const std::vector<TileOfArms>& tiles, const ChooseTile& choose,
                                  std::uint64_t max_cells) {
-  std::vector<MicroGrid> grids;
-  std::uint64_t left = max_cells;
-  for (std::uint32_t v = 0; v < cage.size(); ++v) {
-    std::uint64_t cells = 1;
-    for (const std::uint64_t n : counts) {
-      if (n != 0 && cells > left / n)
-        return Error{Code::kOverLimit, {}, "more than " + std::to_string(max_cells) + " cells"};
-      cells *= n;
-    }
-    left -= cells;
-    Result<MicroGrid> grid = make_micro_grid(cage[v], v, counts);
-    if (!grid) return grid.error();
-    grids.push_back(std::move(*grid));
-  }
-  return fill_grids(std::move(cage), model, std::move(grids), tiles, choose);
+  Result<std::vector<MicroGrid>> grids = make_micro_grids(cage, {counts}, max_cells);
+  if (!grids) return grids.error();
+  return fill_grids(std::move(cage), model, std::move(*grids), tiles, choose);
 }
 
 Result<Microstructure> fill_grids(std::vector<VVolume> cage, const VModel& model,

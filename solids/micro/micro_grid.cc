@@ -70,4 +70,25 @@ Result<MicroGrid> make_micro_grid(const VVolume& volume, std::uint32_t number,
   return out;
 }
 
+Result<std::vector<MicroGrid>> make_micro_grids(
+    const std::vector<VVolume>& cage, const std::vector<std::array<std::uint64_t, 3>>& counts,
+    std::uint64_t max_cells) {
+  std::vector<MicroGrid> grids;
+  std::uint64_t left = max_cells;
+  for (std::uint32_t v = 0; v < cage.size(); ++v) {
+    const std::array<std::uint64_t, 3>& own = counts[counts.size() == 1 ? 0 : v];
+    std::uint64_t cells = 1;
+    for (const std::uint64_t n : own) {
+      if (n != 0 && cells > left / n)
+        return Error{Code::kOverLimit, {}, "more than " + std::to_string(max_cells) + " cells"};
+      cells *= n;
+    }
+    left -= cells;
+    Result<MicroGrid> grid = make_micro_grid(cage[v], v, own);
+    if (!grid) return grid.error();
+    grids.push_back(std::move(*grid));
+  }
+  return grids;
+}
+
 }  // namespace veritope

@@ -16,4 +16,11 @@ namespace veritope {
 Result<MicroGrid> make_micro_grid(const VVolume& volume, std::uint32_t number,
                                   const std::array<std::uint64_t, 3>& counts);
 
+/// One grid for each volume, with the counts of that volume, or with the only ones for all.
+/// @error as make_micro_grid; kOverLimit: more than max_cells cells in all
+/// REQUIRES one element of counts, or one for each volume.
+Result<std::vector<MicroGrid>> make_micro_grids(
+    const std::vector<VVolume>& cage, const std::vector<std::array<std::uint64_t, 3>>& counts,
+    std::uint64_t max_cells);
+
 }  // namespace veritope

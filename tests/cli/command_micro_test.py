@@ -180,6 +180,16 @@ class MicroCommand(support.Folder):
         self.assertEqual((one["tiles"]["kept"], one["tiles"]["floating"], one["components"]), (64, 1, 1))
         self.assertIn("0,6,6,6,floating", listed.read_text().splitlines())
 
+    def test_each_volume_may_have_counts_of_its_own(self):
+        cut = self.folder / "cut.vjson"
+        self.assertEqual(run("cage", "split", "--of", self.box, "--at", "u=1/4", "-o", cut).returncode, 0)
+        report = self.micro(cage=cut, counts="1,4,4/3,4,4")
+        self.assertEqual((report["tiles"]["total"], report["genus"], report["components"]), (64, 2 * 64 - 3 * 16 + 1, 1))
+        self.assertEqual(len(json.loads(self.out.read_text())["grids"][1]["breaks"][0]), 4)
+        done = run("micro", "--cage", self.box, "--tile", "jack", "--counts", "1,1,1/2,2,2", "-o", self.out)
+        self.assertEqual((done.returncode, self.out.exists()), (2, True))
+        self.assertIn("--counts has numbers for 2 volumes, and the cage has 1", " ".join(done.stderr.split()))
+
     def test_pictures_have_tiles_cage_and_solid(self):
         solid = self.folder / "cube.off"
         solid.write_text(cube(1, 7))

@@ -36,7 +36,7 @@ OUTSIDE = [  # kind, headers; the first that fits
     ("mpfr", r"mpfr\.h"),
     ("mpfi", r"mpfi(_io)?\.h"),
     ("cgal", r"(CGAL|boost)/.*|gmpxx\.h"),
-    ("peers", r"(arb|gmsh|tetgen)\.h|embree3/.*"),
+    ("peers", r"(arb|gmsh|tetgen|vtk\w+)\.h|embree3/.*"),
     ("eigen", r"Eigen/.*"),
     ("occt", r"\w+\.hxx"),
     ("gudhi", r"gudhi/.*"),

@@ -9,6 +9,7 @@ duck.off          a mesh of the duck of ../vrep_figures (figure 7)
 bone_b.vjson      a cubic cage that follows the bone; bone_a.vjson, bone_c.vjson: linear across it (figure 5)
 All numbers are short dyadic or small rational numbers, and no random numbers are used.
 """
+import itertools
 import json
 import math
 import pathlib
@@ -88,7 +89,8 @@ def surface_of_revolution(curve, quarter):
             points.append([x * r * w, y * r * w, F(z) * w, w])
     q = len(curve) - 1
     return {"kind": "surface", "group": None, "attributes": [], "shape": {
-        "degrees": [2, q], "periodic": [False, False], "knots": [["0"] * 3 + ["1"] * 3, ["0"] * (q + 1) + ["1"] * (q + 1)],
+        "degrees": [2, q], "periodic": [False, False],
+        "knots": [["0"] * 3 + ["1"] * 3, ["0"] * (q + 1) + ["1"] * (q + 1)],
         "rational": True, "components": 4, "points": [[str(F(c)) for c in p] for p in points]}}
 
 
@@ -107,8 +109,10 @@ def closed_rings(rings, south, north):
 def cylinder_mesh(segments=48):
     heights = [(3, z) for z in (0, 2, 4, 6)]
     start = math.atan2(-4, 3)
-    heights += [(5 * math.cos(t), 12 + 5 * math.sin(t)) for t in (start + (math.pi / 2 - start) * i / 20 for i in range(20))]
-    rings = [[(r * math.cos(a), r * math.sin(a), z) for a in (2 * math.pi * k / segments for k in range(segments))] for r, z in heights]
+    up = [start + (math.pi / 2 - start) * i / 20 for i in range(20)]
+    around = [2 * math.pi * k / segments for k in range(segments)]
+    heights += [(5 * math.cos(t), 12 + 5 * math.sin(t)) for t in up]
+    rings = [[(r * math.cos(a), r * math.sin(a), z) for a in around] for r, z in heights]
     return closed_rings(rings, (0, 0, 0), (0, 0, 17))
 
 
@@ -130,7 +134,8 @@ def duck_mesh(segments=32, rings=60):
     surface = make_trees.duck()
     count = [int(k) for k in (10, len(surface["points"]) // 10)]
     knots = [[float(F(k)) for k in axis] for axis in surface["knots"]]
-    net = [[[float(F(c)) for c in surface["points"][i * count[1] + j]] for j in range(count[1])] for i in range(count[0])]
+    points = [[float(F(c)) for c in p] for p in surface["points"]]
+    net = [[points[i * count[1] + j] for j in range(count[1])] for i in range(count[0])]
     out = []
     for r in range(rings):
         v = knots[1][-1] * r / (rings - 1)
@@ -151,13 +156,15 @@ def cage(degrees, spans, net):
     """A volume with uniform knots; net(i, j, k) has the coordinates of a control point."""
     knots = [[str(F(min(max(t, 0), s), s)) for t in range(-d, s + d + 1)] for d, s in zip(degrees, spans)]
     n = [d + s for d, s in zip(degrees, spans)]
-    points = [[str(F(round(c * 64), 64)) for c in net(i, j, k)] for i in range(n[0]) for j in range(n[1]) for k in range(n[2])]
+    places = itertools.product(range(n[0]), range(n[1]), range(n[2]))
+    points = [[str(F(round(c * 64), 64)) for c in net(*at)] for at in places]
     return {"kind": "volume", "group": None, "attributes": [], "shape": {
-        "degrees": list(degrees), "periodic": [False] * 3, "knots": knots, "rational": False, "components": 3, "points": points}}
+        "degrees": list(degrees), "periodic": [False] * 3, "knots": knots, "rational": False, "components": 3,
+        "points": points}}
 
 
 def greville(d, s):
-    """Of the clamped uniform knots of `s` spans, from 0 to 1."""
+    """The abscissae of the clamped uniform knots of `s` spans, from 0 to 1."""
     t = [min(max(i, 0), s) / s for i in range(-d, s + d + 1)]
     return [sum(t[i + 1:i + d + 1]) / d for i in range(d + s)]
 

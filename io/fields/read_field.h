@@ -18,7 +18,7 @@ struct FieldFile {
 };
 
 /// Reads all vectors. Empty lines and those that begin with # are left out.
-/// @error kSyntax, kOverLimit with line and value, for what is no number, names of columns that are not known, given
+/// @error kSyntax, kOverLimit with line and value, for what is not a number, names of columns that are not known, given
 ///        twice or missing, and lines of another length; kBadArgument with the line for a direction that is 0, and a
 ///        tensor without a first principal direction (solids/micro/cage/principal_axes.h); kEmpty without a vector
 Result<FieldFile> read_field(const Source& source, const ReadLimits& limits);

@@ -197,8 +197,8 @@ TEST(BuildBridges, CapsThatNearlyTouchTheSurfaceAreFlat) {
   EXPECT_TRUE(lattice.micro.bridges.empty());
 }
 
-// Two spans of degree 1: beyond u = 1/2, the line along u rises with the slope 1/2: 26.565 degrees. Of ten cells along u
-// the first `kept` may have tiles, and the solid ends at x = `end`.
+// Two spans of degree 1: beyond u = 1/2, the line along u rises with the slope 1/2: 26.565 degrees. The first `kept`
+// of ten cells along u may have tiles, and the solid ends at x = `end`.
 Lattice creased(std::size_t kept, double end) {
   VVolume bent = v_cells::polynomial({1, 1, 1}, [&](std::size_t i, std::size_t j, std::size_t k) {
     return Point{Rational(i), Rational(j), Rational(k)};

@@ -6,8 +6,8 @@
 
 namespace veritope {
 
-/// VALID with its certificate (micro-inside-1); or UNDECIDED: as certify_microstructure; "model-invalid", if the mesh is
-/// not a solid; "not-inside", with the condition of the page that is not proved to hold, the cell and the triangle.
+/// VALID with its certificate (micro-inside-1); or UNDECIDED: as certify_microstructure; "model-invalid", if the mesh
+/// is not a solid; "not-inside", with the condition of the page that is not proved to hold, the cell and the triangle.
 /// @param subject  the bytes of the microstructure's file
 /// REQUIRES validate(micro).
 /// @cost  those of certify_microstructure and of certify for the mesh, and that of prove_inside

@@ -53,8 +53,8 @@ struct FieldRow {
 /// The row of a net at a place. @param direction  of unit length; its sign does not matter
 FieldRow field_row(const FieldNet& net, const Parameters3& at, const Point3d& direction);
 
-/// The square of 2 sin(angle / 2) for the angle between two axes, from 0 to pi / 2; no function of the machine's library
-/// but the square root is used.
+/// The square of 2 sin(angle / 2) for the angle between two axes, from 0 to pi / 2; no function of the machine's
+/// library but the square root is used.
 double squared_chord(const Point3d& a, const Point3d& b);
 
 /// A linear function of the moves of all control points, and the value that it should have.

@@ -61,7 +61,7 @@ Status check_options(const FitCageOptions& options) {
   return bad_argument("margin must be positive, not " + options.margin.to_string());
 }
 
-// Of unit length, also where squares of coordinates overflow or vanish.
+// The direction has unit length, also where squares of coordinates overflow or vanish.
 Point3d direction_of(const Point3d& axis) {
   const double most = std::max({std::abs(axis[0]), std::abs(axis[1]), std::abs(axis[2])});
   int exponent = 0;

@@ -67,8 +67,8 @@ struct FitCage {
 /// @param content  what has to lie inside, too; may have no part
 /// @error kBadArgument for a field without vectors; for numbers that are not finite, and an axis that is 0, with the
 ///        number of the vector as place.index; for a margin that is not positive; as check_cage_grid; kOverLimit for
-///        degrees over kMaxFitDegree, more than kMaxFitSpans spans or kMaxFitVectors vectors, and places that are 2^30 times as far from the
-///        origin as their box is large
+///        degrees over kMaxFitDegree, more than kMaxFitSpans spans or kMaxFitVectors vectors, and places that are
+///        2^30 times as far from the origin as their box is large
 Result<FitCage> fit_cage(const DirectionField& field, const CageContent& content,
                          const FitCageOptions& options);
 

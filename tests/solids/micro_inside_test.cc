@@ -37,7 +37,7 @@ TriangleMesh with_bubble(Vec3d middle, double half) {
   return shapes::joined(cuboid(-4, 5), bubble(middle, half));
 }
 
-// PROVES MICRO-2.I1
+// PROVES MICRO-2, MICRO-2.I1
 TEST(MicroInside, ATileThatTouchesOrCrossesTheSurfaceIsNotInside) {
   const Microstructure micro = full({cube(0, 0, 0)}, {2, 2, 2}, inner_jack());
   EXPECT_EQ(condition_of(answer(micro, cuboid(-0.125, 1.125))), "");
@@ -177,7 +177,7 @@ TEST(MicroInside, TheSkinIsNearlyTheGreatestDistanceOfAnEnd) {
           .skin.has_value());
 }
 
-// PROVES MICRO-2.I1
+// PROVES MICRO-2, MICRO-2.I1
 TEST(MicroInside, ABridgeThatTouchesOrCrossesTheSurfaceIsNotInside) {
   const Rational e = ratio(7, 8);
   for (const double x : {0.875, 0.8, 0.6}) {

@@ -152,7 +152,7 @@ def folded_bridges(rng):
 
 
 def loose_bridges(rng):
-    """R2: the bridge does not start at the cap, by a hair or more; the cap is glued, is none, has many patches; the wall is another one."""
+    """R2: the bridge does not start at the cap, by a hair or more; the cap is glued or has many patches, there is no cap, or the wall is another one."""
     what = rng.randrange(6)
     if what < 2:
         row = Row(rng)

@@ -248,7 +248,7 @@ def wrong_numbers(rng):
 
 
 def wrong_structures(rng):
-    """The microstructure itself is none; the rest is right."""
+    """The microstructure itself, or the model, is not proved; the rest is right."""
     frame = Frame(rng)
     plan = with_bridges(one(frame, rng), Q(1, 8), some_walls(rng))
     first = plan.bridges[0]

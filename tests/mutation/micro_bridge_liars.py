@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Lies of the claim microstructure-1 about bridges (R1 to R4) and about tiles that star boxes prove (F3); the rest is right. micro_liars.py tells
+"""Lies of the claim microstructure-1 about bridges (R1 to R4), tiles that star boxes prove (F3), and cells in a row; the rest is right. micro_liars.py tells
 them beside its own. The numbers of the statements are counted by hand: a jack is a ball, two jacks in a row make one ball."""
 import functools
 import itertools
@@ -249,6 +249,20 @@ def forged_slices(rng):
         yield "B1_dropped", lie
 
 
+def flipped_bits(rng):
+    """W3: a cell gets or loses a tile, the hash and the number of tiles are right again, another number is not."""
+    n = rng.randint(3, 6)
+    held = sorted(rng.sample(range(n), rng.randint(1, n - 1)))
+    c = rng.randrange(n)
+    after = sorted(set(held) ^ {c})
+    old, row = Row(rng, n, held).plan.values, Row(rng, n, after)
+    true = row.plan.values
+    guesses = [{**old, "tiles": true["tiles"]}, {**true, "glued_caps": old["glued_caps"]}, {**true, "components": old["components"]},
+               {**true, "shells": old["shells"], "genus": abs(old["shells"] - true["shells"])}, {**true, "tiles": old["tiles"]}]
+    lies = [values for values in guesses if values != true]
+    yield "W3_bit", row.plan.changed(values=rng.choice(lies))
+
+
 # ---------------------------------------------------------------- tiles by star boxes
 
 class Split(bridged.forge2.Plan2):
@@ -314,4 +328,4 @@ def false_boxes(rng):
 
 
 STRATEGIES = ((folded_bridges, 10), (loose_bridges, 10), (bridges_elsewhere, 10), (around_a_ring, 3), (meeting_bridges, 8), (forged_slices, 3),
-              (false_boxes, 8))
+              (flipped_bits, 6), (false_boxes, 8))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Lies of the claim microstructure-1 about bridges (R1 to R4), tiles that star boxes prove (F3), and cells in a row; the rest is right. micro_liars.py tells
-them beside its own. The numbers of the statements are counted by hand: a jack is a ball, two jacks in a row make one ball."""
+"""Lies of the claim microstructure-1 about bridges (R1 to R4), tiles that star boxes prove (F3), and cells in a row; the rest is right.
+micro_liars.py tells them beside its own. The numbers of the statements are counted by hand: a jack is a ball, two jacks in a row make one."""
 import functools
 import itertools
 import pathlib
@@ -152,7 +152,7 @@ def folded_bridges(rng):
 
 
 def loose_bridges(rng):
-    """R2: the bridge does not start at the cap, by a hair or more; the cap is glued or has many patches, there is no cap, or the wall is another one."""
+    """R2: the bridge does not start at the cap, by a hair or more; the cap is glued or has many patches, or there is no cap in the wall."""
     what = rng.randrange(6)
     if what < 2:
         row = Row(rng)

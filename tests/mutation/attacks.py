@@ -72,7 +72,7 @@ class Native:
             self.write(0, model)
             self.last_model = model
         self.write(1, cert)
-        names = self.files[:2] + self.files[3:3 + len(more)]
+        names = self.arguments(more)
         for i, data in enumerate(more):
             self.write(3 + i, data)
         flags = os.O_WRONLY | os.O_CREAT | os.O_TRUNC
@@ -82,6 +82,9 @@ class Native:
         status = os.waitpid(pid, 0)[1]
         with open(self.files[2], "rb") as f:
             return os.waitstatus_to_exitcode(status), f.read().decode("latin-1").strip()
+
+    def arguments(self, more):
+        return self.files[:2] + self.files[3:3 + len(more)]
 
     def write(self, i, data):
         with open(self.files[i], "wb") as f:

@@ -3,7 +3,7 @@
 """Lying provers against the checkers of the claim microstructure-1: tiles that are open, folded, wound twice, or touch walls outside of
 their caps, walls whose caps do not fit, numbers that are wrong; the rest is right. As vmodel_liars.py, whose harness this is. Run
 
-    python3 tests/mutation/micro_liars.py --count 20000 --honest 1000 --seed 1 --checker PATH_TO_veritope-check
+    python3 tests/mutation/micro_liars.py --count 100000 --honest 500 --seed 1 --python-share .05 --checker PATH_TO_veritope-check
 """
 import functools
 import itertools
@@ -14,13 +14,15 @@ from fractions import Fraction as Q
 
 import attacks
 import patch_attacks
+import micro_bridge_liars
+import micro_variants
 import vmodel_liars
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import micro_examples as examples                         # noqa: E402
 
 PARTS = ["T2 cap", "T2 body", "T2 side", "T2 corner"]      # of T2, each of which must be needed alone
-CONDITIONS = ["B2", "S0", "F1", "F2", "T2", "T3", "G1", "G2", "T4", "W3"]
+CONDITIONS = ["B2", "S0", "F1", "F2", "F3", "T2", "T3", "G1", "G2", "T4", "R1", "R2", "R3", "R4", "W3"]
 OF_CAGES = ["V1", "V2", "V3", "V4", "C1", "C2", "C3", "C4", "W1", "W2", "P1"]
 UNIT, HALF, HAIR = examples.UNIT, examples.HALF, Q(1, 1 << 60)
 models, forge = vmodel_liars.models, vmodel_liars.forge
@@ -756,7 +758,10 @@ def malformed(rng):
 
 STRATEGIES = ((open_tiles, 8), (folded_tiles, 8), (wound_tiles, 8), (full_cells, 5), (bulging, 6), (keels, 4), (crossing_keels, 3), (tips, 5), (pinched, 5), (bad_members, 6),
               (out_of_range, 6), (in_collapsed_walls, 6), (caps_that_differ, 14), (numbers_that_differ, 8), (driven_by_other_walls, 4), (turned_caps, 4),
-              (coarse_and_fine_overlap, 6), (wrong_numbers, 8), (other_cells, 4), (bad_hints, 4), (false_cages, 10), (malformed, 1))
+              (coarse_and_fine_overlap, 6), (wrong_numbers, 8), (other_cells, 4), (bad_hints, 4), (false_cages, 10), (malformed, 1),
+              *micro_bridge_liars.STRATEGIES)
+ALONE = (false_cages, malformed, micro_bridge_liars.forged_slices, micro_bridge_liars.false_boxes)      # their lies are in the cage or the body
+VARIANTS = 40                                             # of each other lie
 
 
 def told_by(strategy, rng):
@@ -767,7 +772,10 @@ def told_by(strategy, rng):
 def micro_attacks(rng):
     """(name, model, certificate)"""
     strategy, = rng.choices([s for s, _ in STRATEGIES], [w for _, w in STRATEGIES])
-    yield from told_by(strategy, rng)
+    for name, lie in strategy(rng):
+        yield name, lie.text(), lie.certificate()
+        for other in micro_variants.variants(lie, rng, 0 if strategy in ALONE else VARIANTS):
+            yield name, other.text(), other.certificate()
 
 
 class Run(vmodel_liars.Run):

@@ -1,5 +1,5 @@
 # Lying provers against both checkers, with fixed seeds; ./dev soak attacks, reading, patch_attacks,
-# vmodel_attacks, vmodel_invalid_attacks and micro_attacks run more.
+# vmodel_attacks, vmodel_invalid_attacks, micro_attacks and micro_inside_attacks run more.
 set(label_of_mutation standard)
 set(label_of_patch_mutation full)
 set(label_of_vmodel_mutation standard)

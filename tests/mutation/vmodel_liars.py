@@ -395,9 +395,9 @@ class Run(attacks.Run):
         if not self.options.checker or self.order.random() < self.options.python_share:
             super().attack(name, case, cert, seed)
             return
-        code, message = self.native.check(case.bytes, cert)
+        code, message = self.native.check(case.bytes, cert, *self.more(case))
         if code != 1:
-            self.fail("FALSE CLAIM ACCEPTED" if code == 0 else message, case.bytes, cert, seed, name)
+            self.fail("FALSE CLAIM ACCEPTED" if code == 0 else message, case.bytes, cert, seed, name, *self.more(case))
         self.table[name, attacks.condition_of(code, message)] += 1
 
 

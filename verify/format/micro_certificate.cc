@@ -13,6 +13,8 @@
 namespace veritope::certificate {
 namespace {
 
+using internal::ByteReader;
+
 constexpr std::size_t kLeastBytesOfTile = 5, kLeastBytesOfBridge = 19;
 enum : std::uint8_t { kStar = 0, kBoxes = 1 };  // how a tile is proved
 

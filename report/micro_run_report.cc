@@ -73,7 +73,11 @@ Json defect_in_run_json(const MicroRunReport::Defect& d) {
           {"message", d.message}};
 }
 
-double middle_of(const MicroRunReport::Bounds& b) { return b.lo + (b.hi - b.lo) / 2; }
+// The middle of bounds that differ by less than a millionth; of others both.
+std::string bounds_text(const MicroRunReport::Bounds& b) {
+  if (b.hi - b.lo <= 1e-6 * b.hi) return short_decimal(b.lo + (b.hi - b.lo) / 2);
+  return short_decimal(b.lo) + " to " + short_decimal(b.hi);
+}
 
 }  // namespace
 
@@ -127,9 +131,9 @@ std::string micro_run_text(const MicroRunReport& r) {
     text += "wrote  " + unbroken(harmless(r.composed->file.path)) + "  " +
             counted(r.composed->patches, "patch", "patches") + "\n";
   if (r.volume && r.density)
-    text +=
-        detail_line("volume", short_decimal(middle_of(*r.volume)) + ", " +
-                                  short_decimal(100 * middle_of(*r.density)) + " % of the cells");
+    text += detail_line("volume", bounds_text(*r.volume) + ", " +
+                                      bounds_text({100 * r.density->lo, 100 * r.density->hi}) +
+                                      " % of the cells");
   if (r.floating != 0)
     text += detail_line("floating", counted(r.floating, "tile", "tiles") + " off the largest part");
   if (r.bridges) text += bridges_line(*r.bridges);

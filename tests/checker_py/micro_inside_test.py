@@ -328,6 +328,23 @@ class BoundsTest(unittest.TestCase):
                     self.assertTrue(any(all(Q(p.box[2 * a]) <= image[a] <= Q(p.box[2 * a + 1]) for a in range(3)) for p in parts), (box, at))
                     self.assertTrue(all(p.error < 1e-12 for p in parts))
 
+    def test_weights_of_any_size(self):
+        # u -> u^2 / ((1 - u)^2 + 2 w u (1 - u) + u^2) for w to 0, which binary64 does not hold, in coordinates of any size.
+        for w, size in itertools.product((Q(1, 10 ** 4), Q(1, 10 ** 50), Q(1, 10 ** 310), Q(1, 10 ** 400)), (Q(1), Q(1, 10 ** 310), Q(10 ** 200))):
+            points = [[str(c) for c in (size * i * k, size * a * k, size * b * k, k)]
+                      for i, k in ((Q(0), Q(1)), (Q(1, 2), w), (Q(1), Q(1))) for a, b in itertools.product((Q(0), Q(1)), repeat=2)]
+            text = json.dumps({"format": "veritope-spline-1", "groups": [], "entities": [{"kind": "volume", "group": None, "attributes": [], "shape": {
+                "degrees": [2, 1, 1], "periodic": [False] * 3, "knots": [["0"] * 3 + ["1"] * 3, *[["0", "0", "1", "1"]] * 2], "rational": True,
+                "components": 4, "points": points}}]}).encode()
+            space = inside_space.Space(read_volumes(text, "vjson")[0])
+            for lo, hi in ((0, 1), (Q(1, 4), Q(1, 2)), (Q(1, 2), Q(1, 2)), (0, Q(1, 8)), (1, 1)):
+                (part,) = space.parts([float(c) for _ in range(3) for c in (lo, hi)])
+                for u in (lo, (lo + hi) / 2, hi):
+                    x = size * (w * u * (1 - u) + u * u) / ((1 - u) ** 2 + 2 * w * u * (1 - u) + u * u)
+                    self.assertTrue(all(part.box[2 * k] <= c <= part.box[2 * k + 1] for k, c in enumerate((x, size * u, size * u))), (w, size, u))
+                if lo > 0 and size == 1:
+                    self.assertLess(part.error, 1e-12)
+
     def test_halves_contain_the_map(self):
         rng = random.Random(7)
         for sizes in ((2, 2), (4, 3), (8, 8), (2, 3, 3), (3, 2, 3)):

@@ -82,6 +82,25 @@ class MicroCommand(support.Folder):
         self.assertAlmostEqual(report["volume"]["lo"] / report["density"]["lo"] / cage, 1, 7)
         self.assertLess(report["scale"]["lo"], report["scale"]["hi"])
 
+    def test_bounds_of_measures_that_are_far_apart_are_numbers(self):
+        # Along u the cube is mapped by u^2 / ((1 - u)^2 + 2 w u (1 - u) + u^2).
+        for w in (Fraction(1, 10**4), Fraction(1, 10**50)):
+            points = [[str(c) for c in (i * k, a * k, b * k, k)]
+                      for i, k in ((0, 1), (Fraction(1, 2), w), (1, 1)) for a, b in itertools.product((0, 1), repeat=2)]
+            cage = self.folder / "uneven.vjson"
+            cage.write_text(json.dumps({"format": "veritope-spline-1", "groups": [], "entities": [{"kind": "volume", "group": None, "attributes": [], "shape": {
+                "degrees": [2, 1, 1], "periodic": [False] * 3, "knots": [["0"] * 3 + ["1"] * 3, *[["0", "0", "1", "1"]] * 2], "rational": True,
+                "components": 4, "points": points}}]}))
+            report = self.micro(cage=cage, counts="3,3,3")
+            for key in ("volume", "density"):
+                self.assertLessEqual(0, report[key]["lo"])
+                self.assertLessEqual(report[key]["lo"], 1)
+            self.assertLessEqual(report["density"]["hi"], 1)
+            # A jack covers more than a tenth of its cell, and the cells' faces are planes.
+            self.assertGreater(report["volume"]["hi"], 0.1)
+            done = run("micro", "--cage", cage, "--tile", "jack", "--counts", "3,3,3", "-o", self.out)
+            self.assertRegex(done.stdout, r"volume +0 to [0-9.e+]+, 0 to 100 % of the cells")
+
     def test_tiles_are_kept_in_the_interior_of_the_model(self):
         solid = self.folder / "cube.off"
         solid.write_text(cube(1, 7))

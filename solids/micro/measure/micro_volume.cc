@@ -176,6 +176,11 @@ struct PlacedSpan {
   CellSpan span;
 };
 
+// What x has in common with [lo, hi]. REQUIRES that they contain a common number.
+Interval clamped(const Interval& x, double lo, double hi) {
+  return Interval::from_bounds(std::clamp(x.lo(), lo, hi), std::clamp(x.hi(), lo, hi));
+}
+
 }  // namespace
 
 Result<MicroVolume> volume_of(const Microstructure& micro, const VModel& cage, unsigned jobs) {
@@ -201,7 +206,11 @@ Result<MicroVolume> volume_of(const Microstructure& micro, const VModel& cage, u
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   if (!(mag(out.tiles) < kInfinite && mag(out.cells) < kInfinite))
     return Error{Code::kNotFinite, {}, "the volume of the microstructure is not bounded"};
-  out.density = out.tiles / out.cells;
+  // Neither is negative, and the tiles lie in the cells.
+  out.tiles = clamped(out.tiles, 0, kInfinite);
+  out.cells = clamped(out.cells, out.tiles.lo(), kInfinite);
+  out.density =
+      out.cells.lo() > 0 ? clamped(out.tiles / out.cells, 0, 1) : Interval::from_bounds(0, 1);
   return out;
 }
 

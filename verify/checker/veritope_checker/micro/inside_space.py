@@ -3,7 +3,8 @@
 
 Parameters are brought to [0, 1] over the volume's domain. The map on a box of them is a convex combination of the
 Bernstein coefficients on the span of knots that contains it, divided by weights: so an error of a coordinate is at most
-a number of units in the last place of the greatest coordinate. FACTOR counts them, with plenty to spare."""
+a number of units in the last place of the greatest coordinate, over the least weight on the box. `unit` counts them,
+with plenty to spare."""
 from bisect import bisect_left, bisect_right
 from fractions import Fraction
 from itertools import chain, product
@@ -60,11 +61,11 @@ class Span:
         net = coefficients((volume.at(*at) for at in product(*map(window, chosen))), chosen, nothing)
         self.sizes, self.rational = [p + 1 for p in volume.degrees], volume.rational
         self.ends = [space.places[axis][n:n + 2] for axis, n in enumerate(span)]
-        self.net, least = scaled_net(net, self.rational)
+        self.net = scaled_net(net, self.rational)
         greatest = max(map(greatest_of, net[:3], [net[3]] * 3))
         # Rounded nets, three products with matrices whose entries are products of p factors, a quotient.
-        factor = 16 + 12 * sum(volume.degrees)
-        self.error = 2 * factor * ULP * greatest / least + TINY if greatest < MAX_COORDINATE else inf
+        self.unit = (16 + 12 * sum(volume.degrees)) * ULP
+        self.error = 2 * self.unit * greatest + TINY if greatest < MAX_COORDINATE else inf
 
     def points(self, box):
         values = self.net
@@ -72,10 +73,14 @@ class Span:
             values = along(values, weights(n - 1, *self.local(axis, box)))
         n = prod(self.sizes)
         x, y, z = values[:n], values[n:2 * n], values[2 * n:3 * n]
-        if self.rational:
-            w = values[3 * n:]
-            x, y, z = [[a / b for a, b in zip(c, w)] for c in (x, y, z)]
-        return Points(x, y, z, self.error)
+        if not self.rational:
+            return Points(x, y, z, self.error)
+        w = values[3 * n:]
+        least = min(w)
+        if not least > 4 * self.unit:                       # weights are at most 1, and off by at most a unit
+            return Points(x, y, z, inf)
+        x, y, z = [[a / b for a, b in zip(c, w)] for c in (x, y, z)]
+        return Points(x, y, z, 2 * self.error / least + TINY)
 
     def local(self, axis, box):
         """The ends of the box in this span, brought to [0, 1] and rounded outward."""
@@ -90,11 +95,10 @@ def nothing(units):
     """The work of vmodel-1 was counted when its conditions were tested."""
 
 def scaled_net(net, rational):
-    """(the coefficients with the coordinates as the last axis, those of each axis before; the least weight).  Weights
-    are at most 1; of a net that is not rational they are left out."""
+    """The coefficients with the coordinates as the last axis, those of each axis before.  Weights are at most 1; of a
+    net that is not rational they are left out."""
     heaviest = max(net[3])
-    rows = [[rounded(c, heaviest) for c in a] for a in (net if rational else net[:3])]
-    return list(chain.from_iterable(zip(*rows))), rounded(min(net[3]), heaviest)
+    return list(chain.from_iterable(zip(*[[rounded(c, heaviest) for c in a] for a in (net if rational else net[:3])])))
 
 def greatest_of(values, weights_of):
     return max(abs(rounded(c, w)) for c, w in zip(values, weights_of))

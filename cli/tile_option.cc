@@ -141,6 +141,21 @@ std::string take_tile(const std::string& text, std::vector<TileChoice>& tiles) {
   return tile ? "" : "is not a tile: " + tile.error().message;
 }
 
+std::string take_counts(const std::string& text,
+                        std::optional<std::array<std::uint64_t, 3>>& counts) {
+  std::array<std::uint64_t, 3> out{};
+  const char *at = text.data(), *const end = text.data() + text.size();
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto read = std::from_chars(at, end, out[a]);
+    const bool goes_on = a < 2 ? read.ptr != end && *read.ptr == ',' : read.ptr == end;
+    if (read.ec != std::errc() || !goes_on || out[a] == 0)
+      return "needs three numbers K,M,N from 1, not " + text;
+    at = read.ptr + (a < 2 ? 1 : 0);
+  }
+  counts = out;
+  return "";
+}
+
 Status read_tile_files(const ModelReadOptions& reading, std::vector<TileChoice>& tiles) {
   for (TileChoice& choice : tiles) {
     auto* const file = std::get_if<TileFile>(&choice);

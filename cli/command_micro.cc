@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope micro.
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <utility>
 
 #include "cli/bridge_option.h"
 #include "cli/commands.h"
 #include "cli/micro_emit.h"
+#include "cli/micro_nest.h"
 #include "cli/micro_solid.h"
 #include "cli/output_plan.h"
 #include "cli/progress.h"
@@ -17,6 +17,7 @@
 #include "io/micro/write_micro.h"
 #include "io/read_model.h"
 #include "io/splines/volumes.h"
+#include "io/splines/write_splines.h"
 #include "report/micro_run_report.h"
 #include "report/report_text.h"
 #include "report/text_style.h"
@@ -50,6 +51,7 @@ struct MicroOptions {
   std::optional<RealFormula> thickness, place;
   std::vector<std::pair<std::string, RealFormula>> materials;  // names and formulas
   std::optional<std::uint64_t> doubled_from;                   // a layer of w
+  std::optional<NestChoice> nest;
   std::optional<std::string> output, list, mesh, emit, json;
   std::optional<double> chord, skin;
   BridgeChoice bridge;
@@ -57,29 +59,6 @@ struct MicroOptions {
   std::uint64_t max_tiles = kDefaultMaxTiles;
   ModelReadOptions reading;
 };
-
-// K,M,N, or such counts for each volume of the cage, with / between them.
-std::string take_counts(const std::string& text,
-                        std::vector<std::array<std::uint64_t, 3>>& counts) {
-  const char *at = text.data(), *const end = text.data() + text.size();
-  std::vector<std::array<std::uint64_t, 3>> out;
-  do {
-    if (!out.empty()) ++at;  // past the /
-    auto& own = out.emplace_back();
-    for (std::size_t a = 0; a < 3; ++a) {
-      const auto read = std::from_chars(at, end, own[a]);
-      const bool goes_on =
-          a < 2 ? read.ptr != end && *read.ptr == ',' : read.ptr == end || *read.ptr == '/';
-      if (read.ec != std::errc() || !goes_on || own[a] == 0)
-        return "needs three numbers K,M,N from 1, or such numbers for each volume, as in "
-               "2,3,4/2,3,1, not " +
-               text;
-      at = read.ptr + (a < 2 ? 1 : 0);
-    }
-  } while (at != end);
-  counts = std::move(out);
-  return "";
-}
 
 Result<RealFormula> formula_of(const std::string& text) {
   return parse_formula(text,
@@ -121,9 +100,9 @@ class MicroRun {
     if (const Status status = check_outputs(); !status) return fail(status.error());
     for (const auto step :
          {&MicroRun::read_tiles, &MicroRun::read_cage, &MicroRun::read_solid, &MicroRun::fill,
-          &MicroRun::analyse, &MicroRun::filter, &MicroRun::build, &MicroRun::connect,
-          &MicroRun::find_topology, &MicroRun::add_materials, &MicroRun::measure,
-          &MicroRun::make_mesh, &MicroRun::emit})
+          &MicroRun::analyse, &MicroRun::filter, &MicroRun::nest, &MicroRun::build,
+          &MicroRun::connect, &MicroRun::find_topology, &MicroRun::add_materials,
+          &MicroRun::measure, &MicroRun::make_mesh, &MicroRun::emit})
       if (const ExitCode exit = (this->*step)(); exit != kExitValid) return conclude(exit);
     return conclude(write());
   }
@@ -134,6 +113,9 @@ class MicroRun {
     if (options_.model) out.push_back(*options_.model);
     for (const TileChoice& tile : options_.tiles)
       if (const auto* const file = std::get_if<TileFile>(&tile)) out.push_back(file->path);
+    if (options_.nest)
+      if (const auto* const file = std::get_if<TileFile>(&options_.nest->tile))
+        out.push_back(file->path);
     return out;
   }
   Status check_outputs() const {
@@ -184,12 +166,19 @@ class MicroRun {
     for (ExactVolume& v : *volumes) v = space_of(std::move(v));
     file->model = {};
     for (const ExactVolume& v : *volumes) file->model.entities.push_back({v, {}, std::nullopt, {}});
+    const ExitCode exit = take_cage(*file, std::move(*volumes), *options_.cage + ": the cage");
+    report_.seconds.cage = watch.lap();
+    return exit;
+  }
+  // The volumes are those of the file.
+  ExitCode take_cage(const SplineFile& file, std::vector<ExactVolume> volumes,
+                     const std::string& name) {
     CertifyOptions certify;
     certify.orientation = PatchOrientation::kAuto;
     certify.jobs = static_cast<unsigned>(options_.reading.jobs);
-    const auto answer = certify_vmodel(*file, certify);
+    const auto answer = certify_vmodel(file, certify);
     if (!answer)
-      return refute({"cage", {}, {}, {}, *options_.cage + ": no certificate can speak of the cage"},
+      return refute({"cage", {}, {}, {}, name + " is not one of which a certificate can speak"},
                     kExitUndecided);
     const Certified& certified = answer->certified;
     if (certified.verdict != Verdict::kValid)
@@ -197,14 +186,13 @@ class MicroRun {
                      {},
                      {},
                      {},
-                     *options_.cage + ": the cage is " + verdict_name(certified.verdict) + ": " +
+                     name + " is " + verdict_name(certified.verdict) + ": " +
                          text_of(certified.findings.front())},
                     certified.verdict == Verdict::kInvalid ? kExitInvalid : kExitUndecided);
-    Result<VModel> model = make_v_model(*volumes, VOrientation::kAuto);
+    Result<VModel> model = make_v_model(volumes, VOrientation::kAuto);
     if (!model) return refuse(model.error());
     model_.emplace(std::move(*model));
-    cage_ = std::move(*volumes);
-    report_.seconds.cage = watch.lap();
+    cage_ = std::move(volumes);
     return kExitValid;
   }
   static ExactVolume space_of(ExactVolume volume) {
@@ -248,7 +236,12 @@ class MicroRun {
 
   ExitCode read_tiles() {
     choices_ = options_.tiles;
+    if (options_.nest) choices_.push_back(options_.nest->tile);
     const Status read = read_tile_files(options_.reading, choices_);
+    if (options_.nest) {
+      nested_tile_ = std::move(choices_.back());
+      choices_.pop_back();
+    }
     return read ? kExitValid : refuse(read.error());
   }
   ExitCode fill() {
@@ -272,13 +265,17 @@ class MicroRun {
       if (error.code == Code::kOverLimit) error.message += " (--max-tiles)";
       return refuse(error);
     }
-    micro_ = std::move(*filled);
-    if (solid_) micro_.model = MicroModelName{file_name(*options_.model), report_.model->sha256};
-    for (const MicroGrid& grid : micro_.grids) report_.cells += grid.tiles.size();
-    report_.kinds = micro_.tiles.size();
+    take(std::move(*filled));
     if (!options_.thickness || !micro_.has_walls()) return kExitValid;
     const Status numbered = number_walls_by(*options_.thickness, *model_, kCapLimits, micro_);
     return numbered ? kExitValid : refute({"thickness", {}, {}, {}, numbered.error().message});
+  }
+  void take(Microstructure filled) {
+    micro_ = std::move(filled);
+    if (solid_) micro_.model = MicroModelName{file_name(*options_.model), report_.model->sha256};
+    report_.cells = 0;
+    for (const MicroGrid& grid : micro_.grids) report_.cells += grid.tiles.size();
+    report_.kinds = micro_.tiles.size();
   }
   Result<Microstructure> filled_cage(const ChooseTile& choose) const {
     Result<std::vector<MicroGrid>> grids =
@@ -290,8 +287,7 @@ class MicroRun {
   }
   // What makes the tiles, and at the end, if cells are doubled, the tile before them.
   std::vector<TileOfArms> makers() const {
-    std::optional<std::array<std::int32_t, 2>> range;
-    if (options_.thickness) range = kCapLimits;
+    const auto range = range_of_walls();
     std::vector<TileOfArms> out;
     for (const TileChoice& choice : choices_)
       out.push_back([&choice, range](unsigned arms) { return make_tile(choice, arms, range); });
@@ -300,6 +296,9 @@ class MicroRun {
         return make_bifurcation(first, arms, range);
       });
     return out;
+  }
+  std::optional<std::array<std::int32_t, 2>> range_of_walls() const {
+    return options_.thickness ? std::optional(kCapLimits) : std::nullopt;
   }
   std::shared_ptr<TilePlaces> places() const {
     if (!options_.place) return nullptr;
@@ -359,9 +358,48 @@ class MicroRun {
     return kExitValid;
   }
 
+  // The tiles that are left become the cage of other ones. They lie in the model, so their parts do, too.
+  ExitCode nest() {
+    if (!options_.nest || report_.kept == 0) return kExitValid;
+    progress_.phase(*options_.output, "composing the inner cage");
+    Stopwatch watch;
+    Result<std::vector<VVolume>> volumes = nested_cage(micro_, choices_, range_of_walls());
+    if (!volumes) return refuse(volumes.error());
+    report_.seconds.compose = watch.lap();
+    SplineFile file;
+    file.format = SplineFormat::kJson;
+    for (const VVolume& v : *volumes) file.model.entities.push_back({v, {}, std::nullopt, {}});
+    file.bytes = spline_json_bytes(file.model).size();
+    progress_.phase(*options_.output, "certifying the inner cage");
+    const ExitCode exit = take_cage(file, std::move(*volumes), "the cage of the outer tiles");
+    report_.seconds.cage += watch.lap();
+    return exit == kExitValid ? fill_nested() : exit;
+  }
+  ExitCode fill_nested() {
+    report_.outer = MicroRunReport::Outer{report_.cells,    report_.kept,    report_.crossing,
+                                          report_.touching, report_.outside, report_.undecided,
+                                          cage_.size()};
+    report_.crossing = report_.touching = report_.outside = report_.undecided = 0;
+    const TileOfArms maker = [this](unsigned arms) {
+      return make_tile(*nested_tile_, arms, std::nullopt);
+    };
+    Result<Microstructure> filled =
+        fill_cage(cage_, *model_, options_.nest->counts, maker, options_.max_tiles);
+    if (!filled) {
+      Error error = filled.error();
+      if (error.code == Code::kOverLimit) error.message += " (--max-tiles)";
+      return refuse(error);
+    }
+    take(std::move(*filled));
+    report_.kept = report_.cells;
+    statuses_.clear();
+    tiles_.clear();
+    return analyse();
+  }
+
   ExitCode build() {
     const TriangleMesh* const mesh = solid_ ? solid_->mesh() : nullptr;
-    if (mesh == nullptr || !options_.bridge.is_wanted) return kExitValid;
+    if (mesh == nullptr || !options_.bridge.is_wanted || options_.nest) return kExitValid;
     progress_.phase(*options_.model, "building bridges");
     Stopwatch watch;
     BridgeOptions how;
@@ -522,7 +560,9 @@ class MicroRun {
     report_.output = file_of(*options_.output, bytes);
     if (options_.list) written = write_output(*options_.list, list_text(), out_);
     if (!written && *options_.list != "-") return fail(written.error());
-    return report_.undecided == 0 ? kExitValid : kExitUndecided;
+    const std::uint64_t undecided =
+        report_.undecided + (report_.outer ? report_.outer->undecided : 0);
+    return undecided == 0 ? kExitValid : kExitUndecided;
   }
   std::string list_text() const {
     std::string out = "volume,i,j,k,status\n";
@@ -537,7 +577,7 @@ class MicroRun {
         const bool floats =
             !floating_.empty() && next < floating_[g].size() && floating_[g][next] == c;
         next += floats;
-        const CellStatus status = solid_ ? statuses_[g].status[c] : CellStatus::kKept;
+        const CellStatus status = statuses_.empty() ? CellStatus::kKept : statuses_[g].status[c];
         out += std::string(",") + (floats ? "floating" : cell_status_name(status)) + "\n";
       }
     }
@@ -562,6 +602,7 @@ class MicroRun {
   std::optional<VModel> model_;
   std::unique_ptr<const MicroSolid> solid_;
   std::vector<TileChoice> choices_;
+  std::optional<TileChoice> nested_tile_;
   Microstructure micro_;
   std::vector<AnalysedTile> tiles_;
   std::vector<GridStatus> statuses_;
@@ -582,7 +623,7 @@ RunCommand declare_micro(OptionSet& set) {
       "jack[,node=1/5][,...], branch, frame, or a file");
   set.option(
       "--counts", "K,M,N",
-      [o = o.get()](const std::string& text) { return take_counts(text, o->counts); },
+      [o = o.get()](const std::string& text) { return take_counts_of_volumes(text, o->counts); },
       "cells along the three axes of each volume");
   set.text("--model", o->model, "keep tiles in the interior of this solid only");
   set.option(
@@ -595,6 +636,11 @@ RunCommand declare_micro(OptionSet& set) {
       [o = o.get()](const std::string& text) { return take_doubling(text, o->doubled_from); },
       "cells half as wide along u and v from layer L of w on");
   set.hide("--double");
+  set.option(
+      "--nest", "TILE:K,M,N",
+      [o = o.get()](const std::string& text) { return take_nest(text, o->nest); },
+      "fill each volume of each tile with tiles again");
+  set.hide("--nest");
   set.option(
       "--thickness", "EXPR",
       [o = o.get()](const std::string& text) { return take_formula(text, o->thickness); },
@@ -630,6 +676,12 @@ RunCommand declare_micro(OptionSet& set) {
     if (o->doubled_from && *o->doubled_from >= o->counts.front()[2])
       return "--double needs a layer below the count of layers, " +
              std::to_string(o->counts.front()[2]);
+    if (o->nest)
+      if (const std::string why = fault_of_nest(o->tiles, o->doubled_from.has_value(),
+                                                o->bridge.is_given && o->bridge.is_wanted,
+                                                o->bridge.has_alpha, o->skin.has_value());
+          !why.empty())
+        return why;
     if (!o->output) return "-o OUT.vmicro is required, the file of the microstructure";
     if (o->mesh.has_value() != o->chord.has_value()) return "--mesh and --chord need each other";
     if (o->mesh && format_from_path(*o->mesh, ModelKind::kMesh) == nullptr)

@@ -141,6 +141,45 @@ std::string take_tile(const std::string& text, std::vector<TileChoice>& tiles) {
   return tile ? "" : "is not a tile: " + tile.error().message;
 }
 
+namespace {
+// Reads K,M,N; `at` moves behind it. False if there are no such numbers from 1.
+bool read_counts(const char*& at, const char* end, std::array<std::uint64_t, 3>& out) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto read = std::from_chars(at, end, out[a]);
+    const bool goes_on = a == 2 || (read.ptr != end && *read.ptr == ',');
+    if (read.ec != std::errc() || !goes_on || out[a] == 0) return false;
+    at = read.ptr + (a < 2 ? 1 : 0);
+  }
+  return true;
+}
+}  // namespace
+
+std::string take_counts(const std::string& text,
+                        std::optional<std::array<std::uint64_t, 3>>& counts) {
+  const char *at = text.data(), *const end = text.data() + text.size();
+  std::array<std::uint64_t, 3> out{};
+  if (!read_counts(at, end, out) || at != end)
+    return "needs three numbers K,M,N from 1, not " + text;
+  counts = out;
+  return "";
+}
+
+std::string take_counts_of_volumes(const std::string& text,
+                                   std::vector<std::array<std::uint64_t, 3>>& counts) {
+  const char *at = text.data(), *const end = text.data() + text.size();
+  std::vector<std::array<std::uint64_t, 3>> out;
+  for (;;) {
+    if (!read_counts(at, end, out.emplace_back()) || (at != end && *at != '/'))
+      return "needs three numbers K,M,N from 1, or such numbers for each volume, as in "
+             "2,3,4/2,3,1, not " +
+             text;
+    if (at == end) break;
+    ++at;
+  }
+  counts = std::move(out);
+  return "";
+}
+
 Status read_tile_files(const ModelReadOptions& reading, std::vector<TileChoice>& tiles) {
   for (TileChoice& choice : tiles) {
     auto* const file = std::get_if<TileFile>(&choice);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // cli/tile_option.h: tiles as options of veritope micro: "jack,node=1/5,cap=1/8,degree=3", "frame", or a file.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -24,6 +26,13 @@ using TileChoice = std::variant<JackShape, FrameShape, TileFile>;
 /// Appends the tile. Returns nothing, or what is wrong with the text, in words that follow the name of the option. A
 /// text without a name of a tile is the path of a file, which is not read here.
 std::string take_tile(const std::string& text, std::vector<TileChoice>& tiles);
+
+/// "10,10,10": the numbers of cells along three axes, from 1. Returns nothing, or what is wrong with the text.
+std::string take_counts(const std::string& text,
+                        std::optional<std::array<std::uint64_t, 3>>& counts);
+/// Such numbers, or some for each of several volumes, with / between them.
+std::string take_counts_of_volumes(const std::string& text,
+                                   std::vector<std::array<std::uint64_t, 3>>& counts);
 
 /// Reads the tiles that are files. Triangles are cut into quadrilaterals where that may help a proof: TileFacets.
 /// @error  as read_model_file and tile_of, with the file

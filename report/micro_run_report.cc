@@ -79,6 +79,24 @@ std::string bounds_text(const MicroRunReport::Bounds& b) {
   return short_decimal(b.lo) + " to " + short_decimal(b.hi);
 }
 
+Json outer_json(const std::optional<MicroRunReport::Outer>& outer) {
+  if (!outer) return nullptr;
+  return {{"total", outer->cells},       {"kept", outer->kept},
+          {"crossing", outer->crossing}, {"touching", outer->touching},
+          {"outside", outer->outside},   {"undecided", outer->undecided},
+          {"volumes", outer->volumes}};
+}
+
+// The cells that were compared with the model.
+std::string cells_line(const MicroRunReport& r) {
+  const MicroRunReport::Outer n = r.outer.value_or(
+      MicroRunReport::Outer{r.cells, r.kept, r.crossing, r.touching, r.outside, r.undecided, 0});
+  return detail_line("cells", std::to_string(n.crossing) + " cross the boundary of the model, " +
+                                  std::to_string(n.touching) + " touch it, " +
+                                  std::to_string(n.outside) + " lie outside, " +
+                                  std::to_string(n.undecided) + " undecided");
+}
+
 }  // namespace
 
 std::string micro_run_json(const MicroRunReport& r) {
@@ -95,6 +113,7 @@ std::string micro_run_json(const MicroRunReport& r) {
   out["tiles"] = {{"total", r.cells},       {"kept", r.kept},       {"crossing", r.crossing},
                   {"touching", r.touching}, {"outside", r.outside}, {"undecided", r.undecided},
                   {"floating", r.floating}};
+  out["outer"] = outer_json(r.outer);
   out["kinds"] = r.kinds;
   out["bridges"] = bridges_json(r.bridges);
   out["components"] = counted_in(&MicroCounts::components);
@@ -137,12 +156,10 @@ std::string micro_run_text(const MicroRunReport& r) {
   if (r.floating != 0)
     text += detail_line("floating", counted(r.floating, "tile", "tiles") + " off the largest part");
   if (r.bridges) text += bridges_line(*r.bridges);
-  if (!r.model) return text;
-  return text +
-         detail_line("cells", std::to_string(r.crossing) + " cross the boundary of the model, " +
-                                  std::to_string(r.touching) + " touch it, " +
-                                  std::to_string(r.outside) + " lie outside, " +
-                                  std::to_string(r.undecided) + " undecided");
+  if (r.outer)
+    text += detail_line("nested", counted(r.outer->volumes, "volume", "volumes") + " of " +
+                                      counted(r.outer->kept, "outer tile", "outer tiles"));
+  return r.model ? text + cells_line(r) : text;
 }
 
 }  // namespace veritope::report

@@ -35,6 +35,11 @@ struct MicroRunReport {
     File file;
     std::uint64_t patches = 0;
   };
+  /// What the cells held whose tiles became the cage: micro --nest.
+  struct Outer {
+    std::uint64_t cells = 0, kept = 0, crossing = 0, touching = 0, outside = 0, undecided = 0;
+    std::uint64_t volumes = 0;  ///< of the cage that was written
+  };
   /// Both bounds are rounded outward.
   struct Bounds {
     double lo = 0, hi = 0;
@@ -47,6 +52,7 @@ struct MicroRunReport {
   std::optional<File> model, output;
   std::uint64_t cells = 0;
   std::uint64_t kept = 0, crossing = 0, touching = 0, outside = 0, undecided = 0, floating = 0;
+  std::optional<Outer> outer;
   std::uint64_t kinds = 0;
   std::optional<MicroCounts> counts;    ///< of what was written
   std::optional<BridgeReport> bridges;  ///< nothing if none were to be built

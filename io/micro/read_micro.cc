@@ -206,6 +206,8 @@ bool MicroReader::read_exactly(std::size_t count, Item item) {
 
 bool MicroReader::read_grids() {
   if (!read_list([this] { return read_grid(); })) return false;
+  if (const auto crowded = crowding_grid(micro_))
+    return accept(grids_at_[*crowded], crowding_error(micro_, *crowded));
   const auto grids = overlapping_grids(micro_);
   return !grids || accept(grids_at_[(*grids)[1]], overlap_error(micro_, *grids));
 }

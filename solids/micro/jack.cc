@@ -50,7 +50,7 @@ MicroTile JackMaker::take() {
 }
 
 // The corner of a cross-section of an arm.
-JackPoint JackMaker::corner(int wall, const CrossSection& at, int first, int second) {
+JackPoint JackMaker::corner(int wall, const JackCrossSection& at, int first, int second) {
   JackPoint p;
   const auto axis = static_cast<std::size_t>(wall / 2);
   p.fixed[axis] = at.distance * Rational(sign_of_wall(wall));
@@ -62,7 +62,7 @@ JackPoint JackMaker::corner(int wall, const CrossSection& at, int first, int sec
   }
   return p;
 }
-void JackMaker::add_square(int wall, const CrossSection& at) {
+void JackMaker::add_square(int wall, const JackCrossSection& at) {
   const auto axis = static_cast<std::size_t>(wall / 2);
   const auto others = v_face_axes(axis);
   std::vector<JackPoint> net;
@@ -80,7 +80,7 @@ void JackMaker::add_side(int wall, std::size_t out, int sign) {
   const bool turned = is_turned(along, axis, out, sign * sign_of_wall(wall));
   std::vector<JackPoint> net;
   for (const int i : {-1, 1})
-    for (const CrossSection& at : profile_) {
+    for (const JackCrossSection& at : profile_) {
       const int width = turned ? -i : i;
       net.push_back(out == others[0] ? corner(wall, at, sign, width)
                                      : corner(wall, at, width, sign));

@@ -18,6 +18,11 @@ struct JackPoint {
 struct JackHalfWidth {
   Rational fixed, slope;
 };
+/// A square across an arm.
+struct JackCrossSection {
+  Rational distance;  ///< from the middle of the cube
+  JackHalfWidth width;
+};
 
 class JackMaker {
  public:
@@ -25,6 +30,8 @@ class JackMaker {
   explicit JackMaker(const JackShape& shape);
 
   JackHalfWidth cap() const;
+  /// The control points of an arm, from the cube to its end.
+  const std::vector<JackCrossSection>& profile() const { return profile_; }
 
   /// The four sides of an arm, and its cap.
   void add_arm(int wall);
@@ -37,16 +44,12 @@ class JackMaker {
   MicroTile take();
 
  private:
-  struct CrossSection {
-    Rational distance;  // from the middle of the cube
-    JackHalfWidth width;
-  };
-  static JackPoint corner(int wall, const CrossSection& at, int first, int second);
-  void add_square(int wall, const CrossSection& at);
+  static JackPoint corner(int wall, const JackCrossSection& at, int first, int second);
+  void add_square(int wall, const JackCrossSection& at);
   void add_side(int wall, std::size_t out, int sign);
 
   const JackShape& shape_;
-  std::vector<CrossSection> profile_;
+  std::vector<JackCrossSection> profile_;
   MicroTile tile_;
 };
 

@@ -183,6 +183,18 @@ Status check_breaks(const Microstructure& micro, std::size_t grid, std::uint64_t
   return ok_status();
 }
 
+std::optional<std::size_t> crowding_grid(const Microstructure& micro) {
+  const std::vector<MicroGrid>& grids = micro.grids;
+  for (std::size_t g = kMaxGridsOfVolume; g < grids.size(); ++g)
+    if (grids[g - kMaxGridsOfVolume].volume == grids[g].volume) return g;
+  return std::nullopt;
+}
+
+Status crowding_error(const Microstructure& micro, std::size_t grid) {
+  return over_micro_limit("volume " + std::to_string(micro.grids[grid].volume) + " has more than " +
+                          std::to_string(kMaxGridsOfVolume) + " grids");
+}
+
 std::optional<std::array<std::size_t, 2>> overlapping_grids(const Microstructure& micro) {
   const std::vector<MicroGrid>& grids = micro.grids;
   for (std::size_t first = 0, last = 0; first < grids.size(); first = last) {
@@ -274,6 +286,7 @@ Status validate(const Microstructure& micro) {
   std::uint64_t cells = 0;
   for (std::size_t g = 0; g < micro.grids.size(); ++g)
     if (Status status = check_breaks(micro, g, cells); !status) return status;
+  if (const auto grid = crowding_grid(micro)) return crowding_error(micro, *grid);
   if (const auto grids = overlapping_grids(micro)) return overlap_error(micro, *grids);
   for (std::size_t g = 0; g < micro.grids.size(); ++g) {
     if (Status status = check_cells(micro, g); !status) return status;

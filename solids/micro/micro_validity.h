@@ -22,6 +22,9 @@ Status check_tile(const MicroTile& tile, std::size_t number);
 /// The volume and the breaks of a grid, and whether it comes after the grid before it. Adds its cells to `cells`,
 /// those of the grids before it. REQUIRES check_cage_volume of all volumes, and cells <= kMaxMicroCells.
 Status check_breaks(const Microstructure& micro, std::size_t grid, std::uint64_t& cells);
+/// The first grid of a volume after kMaxGridsOfVolume others, if there is one. REQUIRES check_breaks of all grids.
+std::optional<std::size_t> crowding_grid(const Microstructure& micro);
+Status crowding_error(const Microstructure& micro, std::size_t grid);
 /// Two grids of one volume whose boxes have a common inner point, the lower number first, if such grids exist.
 /// REQUIRES check_breaks of all grids.
 /// @cost  n log n comparisons of rationals and at most n^2 of integers, for n grids of one volume

@@ -18,7 +18,8 @@
 
 namespace veritope {
 
-inline constexpr std::size_t kMaxMicroGrids = 4096;  ///< also the most volumes of a cage
+inline constexpr std::size_t kMaxMicroGrids = 65536;  ///< also the most volumes of a cage
+inline constexpr std::size_t kMaxGridsOfVolume = 4096;
 inline constexpr std::size_t kMaxBreakBits = 2048;   ///< of a numerator or denominator
 inline constexpr std::uint64_t kMaxMicroCells = std::uint64_t{1} << 27;
 

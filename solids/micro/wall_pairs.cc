@@ -27,7 +27,10 @@ class PairVisitor {
  public:
   PairVisitor(const Microstructure& micro, const VModel& cage,
               const std::function<bool(const WallPair&)>& visit)
-      : micro_(micro), cage_(cage), visit_(visit) {}
+      : micro_(micro), cage_(cage), visit_(visit), first_grid_(micro.cage.size() + 1) {
+    for (const MicroGrid& g : micro.grids) ++first_grid_[g.volume + 1];
+    for (std::size_t v = 0; v < micro.cage.size(); ++v) first_grid_[v + 1] += first_grid_[v];
+  }
 
   bool run() {
     for (std::uint32_t g = 0; g < micro_.grids.size() && goes_on_; ++g) inner_walls(g);
@@ -61,16 +64,15 @@ class PairVisitor {
   void outer_walls(std::uint32_t g, std::size_t axis) {
     const MicroGrid& m = grid(g);
     const auto at_end = static_cast<int>(2 * axis + 1);
-    for (std::uint32_t h = 0; h < micro_.grids.size() && goes_on_; ++h)
-      if (h != g && grid(h).volume == m.volume &&
-          grid(h).breaks[axis].front() == m.breaks[axis].back())
+    for (std::uint32_t h = first_grid_[m.volume]; h < first_grid_[m.volume + 1] && goes_on_; ++h)
+      if (h != g && grid(h).breaks[axis].front() == m.breaks[axis].back())
         meet(plain_face(g, at_end), plain_face(h, at_end - 1));
     for (const int end : {0, 1}) {
       const VFaceNumber f = face_of(g, axis, end);
       if (f == kNoVFace || !cage_.face(f).is_glued() || cage_.face(f).mate < f) continue;
       const VFaceNumber mate = cage_.face(f).mate;
-      for (std::uint32_t h = 0; h < micro_.grids.size() && goes_on_; ++h) {
-        if (grid(h).volume != mate / 6) continue;
+      for (std::uint32_t h = first_grid_[mate / 6]; h < first_grid_[mate / 6 + 1] && goes_on_;
+           ++h) {
         if (face_of(h, mate % 6 / 2, static_cast<int>(mate % 2)) != mate) continue;
         meet(unit_face(g, static_cast<int>(f % 6), std::nullopt),
              unit_face(h, static_cast<int>(mate % 6), cage_.face(f).symmetry));
@@ -190,6 +192,7 @@ class PairVisitor {
   const Microstructure& micro_;
   const VModel& cage_;
   const std::function<bool(const WallPair&)>& visit_;
+  std::vector<std::uint32_t> first_grid_;  // of each volume; grids come by volumes
   bool goes_on_ = true;
   std::uint64_t num_meetings_ = 0;
 };

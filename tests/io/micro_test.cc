@@ -339,23 +339,27 @@ TEST(Micro, LimitsHoldAtTheirNumbers) {
 }
 
 TEST(Micro, LimitsOfVolumesGridsAndCellsHoldAtTheirNumbers) {
-  const auto with_grids = [](std::size_t count) {
+  const auto with_grids = [](std::size_t count, std::size_t per_volume) {
     std::string grids, cells;
     for (std::size_t i = 0; i < count; ++i) {
-      grids += (i == 0 ? "" : ",\n") + R"({"volume": 0, "breaks": [[")"s + std::to_string(i) +
-               "\", \"" + std::to_string(i + 1) + R"("], ["0", "1"], ["0", "1"]]})";
+      grids += (i == 0 ? "" : ",\n") + R"({"volume": )"s + std::to_string(i / per_volume) +
+               R"(, "breaks": [[")" + std::to_string(i) + "\", \"" + std::to_string(i + 1) +
+               R"("], ["0", "1"], ["0", "1"]]})";
       cells += i == 0 ? "[\"8\"]" : ", [\"8\"]";
     }
-    return said(parse_micro(micro_of(volume_of("5000"), grids, tile_of(patch_of(1, 1, 4)), cells)));
+    const std::string volumes = repeated(volume_of("70000"), 257, ", ");
+    return said(parse_micro(micro_of(volumes, grids, tile_of(patch_of(1, 1, 4)), cells)));
   };
-  EXPECT_EQ(with_grids(4096), "ok");
-  EXPECT_EQ(with_grids(4097), "over-limit@4100: more than 4096 grids");
+  EXPECT_EQ(with_grids(4096, 4096), "ok");
+  EXPECT_EQ(with_grids(4097, 5000), "over-limit@4100: volume 0 has more than 4096 grids");
+  EXPECT_EQ(with_grids(65536, 256), "ok");
+  EXPECT_EQ(with_grids(65537, 256), "over-limit@65540: more than 65536 grids");
   const auto with_volumes = [](std::size_t count) {
     return said(parse_micro(micro_of(repeated(volume_of(), count, ",\n"), kUnitGrid,
                                      tile_of(patch_of(1, 1, 4)), "[\"8\"]")));
   };
-  EXPECT_EQ(with_volumes(4096), "ok");
-  EXPECT_EQ(with_volumes(4097), "over-limit@2: the cage has 4097 volumes, more than 4096");
+  EXPECT_EQ(with_volumes(65536), "ok");
+  EXPECT_EQ(with_volumes(65537), "over-limit@2: the cage has 65537 volumes, more than 65536");
   EXPECT_EQ(with_volumes(0), "syntax@2: the cage has 0 volumes");
   // 2^27 cells and one more; their strings are missing.
   const std::string many = breaks_of(512), one = R"(["600", "601"])";

@@ -78,9 +78,9 @@ TEST(Microstructure, TheModelHasAHash) {
 
 TEST(Microstructure, TheCageHasVolumesInSpace) {
   EXPECT_EQ(micro_answer([](M& m) { m.cage.clear(); }), "bad-argument: the cage has 0 volumes");
-  EXPECT_EQ(micro_answer([](M& m) { m.cage.resize(4096, m.cage[1]); }), "ok");
-  EXPECT_EQ(micro_answer([](M& m) { m.cage.resize(4097, m.cage[1]); }),
-            "over-limit: the cage has 4097 volumes, more than 4096");
+  EXPECT_EQ(micro_answer([](M& m) { m.cage.resize(65536, m.cage[1]); }), "ok");
+  EXPECT_EQ(micro_answer([](M& m) { m.cage.resize(65537, m.cage[1]); }),
+            "over-limit: the cage has 65537 volumes, more than 65536");
   for (const int components : {2, 4})
     EXPECT_EQ(micro_answer([&](M& m) {
                 m.cage[1] = micro_volume({0, 0, 2, 2}, components);
@@ -209,7 +209,7 @@ TEST(Microstructure, GridsComeByVolumesWithDisjointInsides) {
             "bad-argument: the boxes of the grids 1 and 3 of volume 1 have inner points in common");
 }
 
-TEST(Microstructure, AtMost4096GridsAnd2To27Cells) {
+TEST(Microstructure, AtMost65536GridsAnd4096OfAVolumeAnd2To27Cells) {
   const auto with = [](int count) {
     return micro_answer([count](M& m) {
       m.grids.clear();
@@ -218,7 +218,19 @@ TEST(Microstructure, AtMost4096GridsAnd2To27Cells) {
     });
   };
   EXPECT_EQ(with(4096), "ok");
-  EXPECT_EQ(with(4097), "over-limit: there are 4097 grids, more than 4096");
+  EXPECT_EQ(with(4097), "over-limit: volume 1 has more than 4096 grids");
+  const auto with_volumes = [](std::uint32_t count) {
+    return micro_answer([count](M& m) {
+      m.grids.clear();
+      m.cage.resize(65536, m.cage[1]);
+      for (std::uint32_t v = 0; v < count; ++v)
+        m.grids.push_back(micro_grid(v == 0 ? 1 : std::min(v, 65535u), {0, 2}, {0, 2}));
+      m.grids[0].breaks[0][1] = 1;
+      m.grids[1].breaks[0][0] = 1;
+    });
+  };
+  EXPECT_EQ(with_volumes(65536), "ok");
+  EXPECT_EQ(with_volumes(65537), "over-limit: there are 65537 grids, more than 65536");
   Microstructure micro = sound_micro();
   MicroGrid& grid = micro.grids[0];
   for (auto& breaks : grid.breaks) {

@@ -2,52 +2,23 @@
 #include "solids/micro/compose/composed_surface.h"
 
 #include <algorithm>
-#include <map>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "solids/micro/cap_matching.h"
-#include "splines/blossom_weights.h"
+#include "solids/micro/compose/cell_piece_internal.h"
 #include "splines/composition.h"
-#include "splines/composition_span.h"
 
 namespace veritope {
 namespace {
 
-// The polynomial piece of a volume to which a cell belongs, and the cell in its parameters, which are [0, 1]^3.
-struct CellPiece {
-  std::size_t grid = 0;
-  std::array<std::size_t, 3> spans{};
-  std::optional<BezierVolume<Rational>> map;
-
-  void enter(const Microstructure& micro, std::size_t number,
-             const std::array<std::size_t, 3>& cell) {
-    const VVolume& volume = micro.cage[micro.grids[number].volume];
-    std::array<std::size_t, 3> found;
-    for (std::size_t a = 0; a < 3; ++a)
-      found[a] = internal::find_span(volume.axis(a), micro.grids[number].breaks[a][cell[a]]);
-    if (map.has_value() && grid == number && spans == found) return;
-    grid = number;
-    spans = found;
-    map = bezier_piece(volume, spans);
-  }
-};
-
-BezierSurface<Rational> patch_in_piece(const Microstructure& micro, const CellPiece& piece,
-                                       const std::array<std::size_t, 3>& cell,
-                                       const TilePatch& patch, std::int32_t number) {
-  const MicroGrid& grid = micro.grids[piece.grid];
+BezierSurface<Rational> patch_in_piece(const internal::CellPiece& piece, const TilePatch& patch,
+                                       std::int32_t number) {
   const std::vector<TilePoint> points = points_at(patch, number);
   BezierSurface<Rational> out(patch.degrees, 3, false);
-  for (std::size_t a = 0; a < 3; ++a) {
-    const auto& knots = micro.cage[grid.volume].axis(a).knots;
-    const Rational &begin = knots[piece.spans[a]], length = knots[piece.spans[a] + 1] - begin;
-    const Rational &low = grid.breaks[a][cell[a]], &high = grid.breaks[a][cell[a] + 1];
-    const Rational offset = (low - begin) / length, width = (high - low) / length;
+  for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t n = 0; n < points.size(); ++n)
-      out.component(static_cast<int>(a))[n] = offset + width * points[n][a];
-  }
+      out.component(static_cast<int>(a))[n] = piece.brought(a, points[n][a]);
   return out;
 }
 
@@ -150,21 +121,21 @@ Status ComposedSurface::count() {
 std::vector<std::vector<ComposedPatch>> ComposedSurface::compose(std::size_t begin,
                                                                  std::size_t end) const {
   std::vector<std::vector<ComposedPatch>> out;
-  CellPiece piece;
+  internal::CellPiece piece(*micro_);
   for (std::size_t n = begin; n < end; ++n) {
     const ComposedCell& cell = cells_[n];
     const MicroGrid& grid = micro_->grids[cell.grid];
     const auto at = grid.shape().index_of(cell.cell);
     const WallNumbers numbers = grid.numbers_of(at);
     const bool is_left_handed = cage_->hand(grid.volume) == Sign::kNegative;
-    piece.enter(*micro_, cell.grid, at);
+    piece.enter(cell.grid, at);
     auto& patches = out.emplace_back();
     const MicroTile& tile = (*tiles_)[cell.tile].tile;
     for (std::uint32_t p = 0; p < tile.patches.size(); ++p) {
       if (is_left_out(cell, p)) continue;
       const BezierSurface<Rational> inner =
-          patch_in_piece(*micro_, piece, at, tile.patches[p], number_of(tile.patches[p], numbers));
-      BezierSurface<Rational> surface = veritope::compose(*piece.map, inner).value();
+          patch_in_piece(piece, tile.patches[p], number_of(tile.patches[p], numbers));
+      BezierSurface<Rational> surface = veritope::compose(piece.map(), inner).value();
       patches.push_back({p, is_left_handed ? turned_round(surface) : std::move(surface)});
     }
   }

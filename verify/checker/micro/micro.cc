@@ -118,6 +118,12 @@ bool reaches(const std::vector<Entity>& cage, const MicroGrid& g, size_t face) {
   return compare(face % 2 == 0 ? b[0] : b.back(), face % 2 == 0 ? t[0] : t.back()) == 0;
 }
 
+size_t first_grid_of(const MicroFile& file, uint64_t volume) {
+  const auto at = std::lower_bound(file.grids.begin(), file.grids.end(), volume,
+                                   [](const MicroGrid& g, uint64_t v) { return g.volume < v; });
+  return size_t(at - file.grids.begin());
+}
+
 CheckedMicro check_micro_body(MicroFile* file, uint64_t file_bytes, const Body& body,
                               bool with_shells) {
   Bytes bytes(body);

@@ -119,6 +119,8 @@ struct MicroFile {
 };
 // Whether the grid reaches this face of its volume.
 bool reaches(const std::vector<Entity>& cage, const MicroGrid& grid, size_t face);
+// The first grid of this volume, or of one after it.
+size_t first_grid_of(const MicroFile& file, uint64_t volume);
 MicroFile read_micro(const std::string& text);  // or throws Refused
 
 // A polynomial in u, v and the tile's range, brought to [0, 1]: Bernstein coefficients times binomials.

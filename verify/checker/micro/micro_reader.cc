@@ -4,7 +4,8 @@
 
 namespace {
 
-const size_t kMostVolumes = 4096, kMostGrids = 4096, kMostTiles = 15, kMostPatches = 1024;
+const size_t kMostVolumes = 65536, kMostGrids = 65536, kMostGridsOfVolume = 4096;
+const size_t kMostTiles = 15, kMostPatches = 1024;
 const int64_t kMostMicroDegree = 7, kMostCoordinateBits = 128;
 
 struct MicroReader : MicroParts {
@@ -95,6 +96,7 @@ struct MicroReader : MicroParts {
   void check_disjoint() {
     for (size_t first = 0, last = 0; first < out.grids.size(); first = last) {
       while (last < out.grids.size() && out.grids[last].volume == out.grids[first].volume) ++last;
+      expect(last - first <= kMostGridsOfVolume, "more than 4096 grids of one volume");
       for (size_t axis = 0; axis < 3; ++axis) rank(first, last, axis);
       for (size_t b = first; b < last; ++b)
         for (size_t a = first; a < b; ++a)
@@ -224,10 +226,10 @@ struct MicroReader : MicroParts {
       if (key == 2) {
         next();
         out.cage = volumes_in_space(read_json_part(text, true, &at));
-        expect(out.cage.size() <= kMostVolumes, "more than 4096 volumes");
+        expect(out.cage.size() <= kMostVolumes, "more than 65536 volumes");
       }
       if (key == 3) {
-        short_list(kMostGrids, "more than 4096 grids", [&](size_t) { grid(); });
+        short_list(kMostGrids, "more than 65536 grids", [&](size_t) { grid(); });
         check_disjoint();
       }
       if (key == 4) {

@@ -57,10 +57,10 @@ void Slices::check_cells(const MicroBridge& b, const OtherSide& other) {
     const RatioBox box = box_of_slice(b, j);
     slices_.push_back(Slice{number, j});
     boxes_.push_back(outer(box));
-    for (size_t g = 0; g < file_.grids.size(); ++g)
-      if (file_.grids[g].volume == b.volume)
-        check_grid(file_.grids[g], box, g == b.grid && j == 0 && !other.is_face ? b.cell : kNoCell,
-                   number);
+    for (size_t g = first_grid_of(file_, b.volume);
+         g < file_.grids.size() && file_.grids[g].volume == b.volume; ++g)
+      check_grid(file_.grids[g], box, g == b.grid && j == 0 && !other.is_face ? b.cell : kNoCell,
+                 number);
   }
 }
 void Slices::check_grid(const MicroGrid& g, const RatioBox& box, uint64_t own, uint64_t bridge) {

@@ -85,8 +85,9 @@ class VoidCheck {
   // Calls use(grid, i) for each closed cell that holds x and a tile.
   template <class Use>
   void each_cell(const VoidEntry& v, Use use) const {
-    for (const MicroGrid& g : file_.grids) {
-      if (g.volume != v.volume) continue;
+    for (size_t n = first_grid_of(file_, v.volume); n < file_.grids.size(); ++n) {
+      const MicroGrid& g = file_.grids[n];
+      if (g.volume != v.volume) break;
       size_t first[3], last[3], i[3];
       for (size_t k = 0; k < 3; ++k) cells_at(g.breaks[k], v.x[k], &first[k], &last[k]);
       for (i[0] = first[0]; i[0] < last[0]; ++i[0])

@@ -14,7 +14,7 @@ from .micro_read_bridges import a_list, check_materials, coordinate, read_bridge
 
 KEYS = ("format", "model", "cage", "grids", "tiles", "cells", "walls", "bridges", "materials")
 MAY_LACK = frozenset(("bridges", "materials"))
-MAX_VOLUMES, MAX_GRIDS, MAX_TILES, MAX_PATCHES, MAX_LISTS = 4096, 4096, 15, 1024, 4
+MAX_VOLUMES, MAX_GRIDS, MAX_GRIDS_OF_VOLUME, MAX_TILES, MAX_PATCHES, MAX_LISTS = 65536, 65536, 4096, 15, 1024, 4
 MAX_DEGREE, MAX_CELLS, MAX_NUMBER, MAX_BITS, MAX_BREAK_BITS = 7, 1 << 27, 1 << 20, 128, 2048
 
 class Grid:
@@ -116,6 +116,8 @@ def check_grids(grids):
     start = 0
     for n, grid in enumerate(grids):
         if n + 1 == len(grids) or grids[n + 1].volume != grid.volume:
+            if n + 1 - start > MAX_GRIDS_OF_VOLUME:
+                raise Refused("more than %d grids of volume %d" % (MAX_GRIDS_OF_VOLUME, grid.volume))
             for g, h in combinations(ranked(grids[start:n + 1]), 2):
                 if all(a < d and c < b for (a, b), (c, d) in zip(g, h)):
                     raise Refused("two grids of volume %d overlap" % grid.volume)

@@ -53,7 +53,9 @@ std::string bridges_line(const BridgeReport& bridges) {
 
 Json composed_json(const std::optional<MicroRunReport::Composed>& composed) {
   if (!composed) return nullptr;
-  return {{"file", file_json(composed->file)}, {"patches", composed->patches}};
+  return {{"file", file_json(composed->file)},
+          {"patches", composed->patches},
+          {"curves", composed->curves}};
 }
 
 Json micro_bounds_json(const std::optional<MicroRunReport::Bounds>& b) {
@@ -71,6 +73,29 @@ Json defect_in_run_json(const MicroRunReport::Defect& d) {
           {"cell", cell},
           {"wall", optional_json(d.wall)},
           {"message", d.message}};
+}
+
+std::string cells_line(const MicroRunReport& r) {
+  return detail_line("cells", std::to_string(r.crossing) + " cross the boundary of the model, " +
+                                  std::to_string(r.touching) + " touch it, " +
+                                  std::to_string(r.outside) + " lie outside, " +
+                                  std::to_string(r.undecided) + " undecided");
+}
+
+// Lines about curves and sheets: no claim is made of them.
+std::string open_run_text(const MicroRunReport& r) {
+  std::string text;
+  if (r.composed) {
+    const std::uint64_t sheets = r.composed->patches - r.composed->curves;
+    std::string shapes;
+    if (r.composed->curves != 0) shapes = counted(r.composed->curves, "curve", "curves");
+    if (sheets != 0) shapes += (shapes.empty() ? "" : ", ") + counted(sheets, "sheet", "sheets");
+    text = "wrote  " + unbroken(harmless(r.composed->file.path)) + "  " + shapes + " of " +
+           counted(r.kept, "tile", "tiles") + " in " + counted(r.cells, "cell", "cells") + "\n";
+  } else if (r.kept == 0 && r.defects.empty()) {
+    text = "wrote nothing: no tile is kept in " + counted(r.cells, "cell", "cells") + "\n";
+  }
+  return r.model && !text.empty() ? text + cells_line(r) : text;
 }
 
 double middle_of(const MicroRunReport::Bounds& b) { return b.lo + (b.hi - b.lo) / 2; }
@@ -112,6 +137,7 @@ std::string micro_run_json(const MicroRunReport& r) {
 }
 
 std::string micro_run_text(const MicroRunReport& r) {
+  if (r.is_open) return open_run_text(r);
   if (!r.output || !r.counts) return "";
   std::string text = "wrote  " + unbroken(harmless(r.output->path)) + "  " +
                      counted(r.kept, "tile", "tiles") +
@@ -134,11 +160,7 @@ std::string micro_run_text(const MicroRunReport& r) {
     text += detail_line("floating", counted(r.floating, "tile", "tiles") + " off the largest part");
   if (r.bridges) text += bridges_line(*r.bridges);
   if (!r.model) return text;
-  return text +
-         detail_line("cells", std::to_string(r.crossing) + " cross the boundary of the model, " +
-                                  std::to_string(r.touching) + " touch it, " +
-                                  std::to_string(r.outside) + " lie outside, " +
-                                  std::to_string(r.undecided) + " undecided");
+  return text + cells_line(r);
 }
 
 }  // namespace veritope::report

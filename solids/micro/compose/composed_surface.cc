@@ -83,6 +83,9 @@ Status ComposedSurface::find_cells() {
       cells_.push_back({g, grid.tiles[c] - 1u, c, 0});
     }
   }
+  const bool has_caps = std::any_of(tiles_->begin(), tiles_->end(),
+                                    [](const AnalysedTile& t) { return !t.caps.empty(); });
+  if (!has_caps) return ok_status();
   CapMatcher matcher(*tiles_);
   Status found = ok_status();
   const bool is_complete = for_each_wall_pair(*micro_, *cage_, [&](const WallPair& pair) {
@@ -140,6 +143,7 @@ Status ComposedSurface::count() {
                          " after composition, and splines have at most " +
                          std::to_string(kMaxSplineDegree)};
       ++num_patches_;
+      num_curves_ += patches[p].is_curve();
       num_points_ +=
           static_cast<std::uint64_t>(degrees[0] + 1) * static_cast<std::uint64_t>(degrees[1] + 1);
     }
@@ -165,7 +169,8 @@ std::vector<std::vector<ComposedPatch>> ComposedSurface::compose(std::size_t beg
       const BezierSurface<Rational> inner =
           patch_in_piece(*micro_, piece, at, tile.patches[p], number_of(tile.patches[p], numbers));
       BezierSurface<Rational> surface = veritope::compose(*piece.map, inner).value();
-      patches.push_back({p, is_left_handed ? turned_round(surface) : std::move(surface)});
+      patches.push_back(
+          {p, is_left_handed && !tile.is_open ? turned_round(surface) : std::move(surface)});
     }
   }
   return out;

@@ -209,7 +209,9 @@ CellFinding TileWalk::finish() {
   // Either every point of the tile's surface is in M, or none is in its interior.
   const bool is_inside = is_near_inside_ && !off_;
   if (!is_inside && !(is_near_outside_ && !inside_)) return found(CellStatus::kUndecided);
-  if (std::optional<CellFinding> shell = find_shells_inside()) return *shell;
+  // Curves and sheets hold nothing inside.
+  if (!tile().is_open())
+    if (std::optional<CellFinding> shell = find_shells_inside()) return *shell;
   if (!is_touching_) return found(is_inside ? CellStatus::kKept : CellStatus::kOutside);
   return found(contact_ ? CellStatus::kTouching : CellStatus::kUndecided);
 }

@@ -45,12 +45,13 @@ Status check_tile_list(const TilePatch& patch, std::size_t power, const std::str
 Status check_tile_patch(const TilePatch& patch, bool may_be_curve, const std::string& where) {
   if (patch.wall && (*patch.wall < 0 || *patch.wall > 5))
     return bad_argument(where + "the wall must be from 0 to 5, not " + std::to_string(*patch.wall));
-  for (const int degree : patch.degrees)
-    if ((degree < 1 && !(may_be_curve && patch.is_curve() && &degree == &patch.degrees[1])) ||
-        degree > kMaxTileDegree)
-      return Error{degree < 1 ? Code::kBadArgument : Code::kOverLimit,
-                   {},
-                   where + "a degree must be from 1 to 7, not " + std::to_string(degree)};
+  for (std::size_t a = 0; a < 2; ++a) {
+    const int degree = patch.degrees[a];
+    if (degree >= (may_be_curve && a == 1 ? 0 : 1) && degree <= kMaxTileDegree) continue;
+    return Error{degree < 1 ? Code::kBadArgument : Code::kOverLimit,
+                 {},
+                 where + "a degree must be from 1 to 7, not " + std::to_string(degree)};
+  }
   if (patch.points.empty()) return bad_argument(where + "it has 0 lists of points");
   if (patch.points.size() > kMaxTilePowers)
     return over_micro_limit(where + "it has " + std::to_string(patch.points.size()) +

@@ -53,7 +53,7 @@ class MicroCurves(support.Folder):
         listed = self.folder / "cells.csv"
         report = self.emit("--model", self.model, "--list", listed)
         # Cells 1 and 2 of four lie inside; those of the layers 0 and 3 cross, but for coils that stay clear of the wall.
-        rows = list(csv.DictReader(listed.open()))
+        rows = list(csv.DictReader(listed.read_text().splitlines()))
         self.assertEqual(len(rows), 64)
         kept = [r for r in rows if r["status"] == "kept"]
         self.assertEqual(len(kept), report["tiles"]["kept"])

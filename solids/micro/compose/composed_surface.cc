@@ -9,7 +9,7 @@
 
 #include "solids/micro/cap_matching.h"
 #include "splines/blossom_weights.h"
-#include "splines/composition.h"
+#include "splines/composition_integer.h"
 #include "splines/composition_span.h"
 
 namespace veritope {
@@ -168,7 +168,7 @@ std::vector<std::vector<ComposedPatch>> ComposedSurface::compose(std::size_t beg
       if (is_left_out(cell, p)) continue;
       const BezierSurface<Rational> inner =
           patch_in_piece(*micro_, piece, at, tile.patches[p], number_of(tile.patches[p], numbers));
-      BezierSurface<Rational> surface = veritope::compose(*piece.map, inner).value();
+      BezierSurface<Rational> surface = compose_by_integers(*piece.map, inner).value();
       patches.push_back(
           {p, is_left_handed && !tile.is_open ? turned_round(surface) : std::move(surface)});
     }

@@ -87,14 +87,43 @@ std::string take_formula(const std::string& text, std::optional<RealFormula>& to
 }
 
 bool has_jack(const std::vector<TileChoice>& tiles) {
-  return std::any_of(tiles.begin(), tiles.end(),
-                     [](const TileChoice& t) { return std::holds_alternative<JackShape>(t); });
+  return std::any_of(tiles.begin(), tiles.end(), [](const TileChoice& t) {
+    return std::holds_alternative<JackShape>(t) || std::holds_alternative<JackSheets>(t);
+  });
+}
+
+// What is wrong with the options for tiles of curves and sheets, of which nothing but composed splines is written; or
+// with such tiles among the others. Nothing if all is well, or if -o is missing for closed tiles.
+std::string fault_of_open_tiles(const MicroOptions& o) {
+  const auto open = std::find_if(o.tiles.begin(), o.tiles.end(), is_open_choice);
+  if (o.output)
+    return open == o.tiles.end()
+               ? ""
+               : std::string("-o: a .vmicro file holds closed tiles only, and ") +
+                     open_choice_name(*open) + " is open; leave -o out, and --emit writes it";
+  const bool is_needed = std::any_of(o.tiles.begin(), o.tiles.end(), [](const TileChoice& t) {
+    return !is_open_choice(t) && !std::holds_alternative<TileFile>(t);
+  });
+  if (is_needed) return "-o OUT.vmicro is required, the file of the microstructure";
+  if (!o.emit)
+    return open == o.tiles.end() ? "-o OUT.vmicro is required, the file of the microstructure; or "
+                                   "--emit, for curves and sheets"
+                                 : std::string(open_choice_name(*open)) +
+                                       " is open: --emit is required, the file of its splines";
+  if (o.mesh) return "--mesh needs closed tiles, and -o";
+  if (!o.materials.empty()) return "--material needs closed tiles, and -o";
+  if (o.wants_connected) return "--connected needs closed tiles, and -o";
+  if ((o.bridge.is_given && o.bridge.is_wanted) || o.bridge.has_alpha || o.skin)
+    return "--bridge, --alpha and --skin need closed tiles, and -o";
+  return "";
 }
 
 class MicroRun {
  public:
   MicroRun(const MicroOptions& options, StandardOutput& out)
-      : options_(options), out_(out), progress_(true) {}
+      : options_(options), out_(out), progress_(true) {
+    report_.is_open = is_open();
+  }
 
   ExitCode run() {
     if (const Status status = check_outputs(); !status) return fail(status.error());
@@ -108,6 +137,8 @@ class MicroRun {
   }
 
  private:
+  // Whether the tiles are curves and sheets, of which only composed splines are written.
+  bool is_open() const { return !options_.output.has_value(); }
   std::vector<std::string> inputs() const {
     std::vector<std::string> out = {*options_.cage};
     if (options_.model) out.push_back(*options_.model);
@@ -237,7 +268,7 @@ class MicroRun {
   ExitCode read_tiles() {
     choices_ = options_.tiles;
     if (options_.nest) choices_.push_back(options_.nest->tile);
-    const Status read = read_tile_files(options_.reading, choices_);
+    const Status read = read_tile_files(options_.reading, is_open(), choices_);
     if (options_.nest) {
       nested_tile_ = std::move(choices_.back());
       choices_.pop_back();
@@ -309,6 +340,10 @@ class MicroRun {
   }
 
   ExitCode analyse() {
+    if (is_open()) {
+      for (const MicroTile& tile : micro_.tiles) tiles_.push_back(analysis_of_open(tile));
+      return kExitValid;
+    }
     for (std::size_t k = 0; k < micro_.tiles.size(); ++k) {
       auto analysed = analyse_tile(micro_.tiles[k]);
       if (const auto* d = std::get_if<TileDefect>(&analysed))
@@ -399,7 +434,8 @@ class MicroRun {
 
   ExitCode build() {
     const TriangleMesh* const mesh = solid_ ? solid_->mesh() : nullptr;
-    if (mesh == nullptr || !options_.bridge.is_wanted || options_.nest) return kExitValid;
+    if (mesh == nullptr || !options_.bridge.is_wanted || options_.nest || is_open())
+      return kExitValid;
     progress_.phase(*options_.model, "building bridges");
     Stopwatch watch;
     BridgeOptions how;
@@ -426,6 +462,7 @@ class MicroRun {
   }
 
   ExitCode find_topology() {
+    if (is_open()) return kExitValid;
     progress_.phase(*options_.output, "joining tiles");
     Stopwatch watch;
     auto topology = topology_of(micro_, *model_, tiles_);
@@ -458,7 +495,7 @@ class MicroRun {
 
   // Numbers beyond binary64 leave no bounds, and are no reason to write nothing.
   ExitCode measure() {
-    if (report_.kept == 0) return kExitValid;
+    if (report_.kept == 0 || is_open()) return kExitValid;
     progress_.phase(*options_.output, "measuring");
     Stopwatch watch;
     if (const auto v = volume_of(micro_, *model_, static_cast<unsigned>(options_.reading.jobs))) {
@@ -538,13 +575,16 @@ class MicroRun {
             emit_surface(*surface, static_cast<unsigned>(options_.reading.jobs), *emitted_);
         !made)
       return refuse(made.error());
-    report_.composed = MicroRunReport::Composed{
-        {*options_.emit, emitted_->sha256(), emitted_->num_bytes()}, surface->num_patches()};
+    report_.composed =
+        MicroRunReport::Composed{{*options_.emit, emitted_->sha256(), emitted_->num_bytes()},
+                                 surface->num_patches(),
+                                 surface->num_curves()};
     report_.seconds.compose = watch.lap();
     return kExitValid;
   }
 
   ExitCode write() {
+    if (is_open()) return write_open();
     progress_.phase(*options_.output, "writing");
     if (const Status valid = validate(micro_); !valid) return refuse(valid.error());
     const std::string bytes = write_micro(micro_);
@@ -563,6 +603,17 @@ class MicroRun {
     const std::uint64_t undecided =
         report_.undecided + (report_.outer ? report_.outer->undecided : 0);
     return undecided == 0 ? kExitValid : kExitUndecided;
+  }
+  ExitCode write_open() {
+    progress_.clear();
+    if (emitted_)
+      if (const Status committed = emitted_->commit(out_); !committed)
+        return fail(committed.error());
+    if (options_.list)
+      if (const Status written = write_output(*options_.list, list_text(), out_);
+          !written && *options_.list != "-")
+        return fail(written.error());
+    return report_.undecided == 0 ? kExitValid : kExitUndecided;
   }
   std::string list_text() const {
     std::string out = "volume,i,j,k,status\n";
@@ -587,7 +638,7 @@ class MicroRun {
   ExitCode conclude(ExitCode exit) {
     progress_.clear();
     const bool is_read = exit != kExitUnreadable && exit != kExitUsage;
-    if (options_.json != "-" && *options_.output != "-")
+    if (options_.json != "-" && options_.output != "-")
       out_.write(fold(micro_run_text(report_), verdict_width()));
     if (!options_.json || !is_read) return exit;
     const Status status = write_output(*options_.json, micro_run_json(report_), out_);
@@ -682,13 +733,13 @@ RunCommand declare_micro(OptionSet& set) {
                                                 o->bridge.has_alpha, o->skin.has_value());
           !why.empty())
         return why;
-    if (!o->output) return "-o OUT.vmicro is required, the file of the microstructure";
+    if (const std::string why = fault_of_open_tiles(*o); !why.empty()) return why;
     if (o->mesh.has_value() != o->chord.has_value()) return "--mesh and --chord need each other";
     if (o->mesh && format_from_path(*o->mesh, ModelKind::kMesh) == nullptr)
       return "the name " + *o->mesh + " ends in no format of meshes: .stl, .obj, .ply or .off";
     if (o->emit)
       if (const std::string fault = fault_of_emit_name(*o->emit); !fault.empty()) return fault;
-    if (*o->output == "-" || o->output->ends_with(".vmicro")) return "";
+    if (!o->output || *o->output == "-" || o->output->ends_with(".vmicro")) return "";
     return "the name " + *o->output + " does not end in .vmicro";
   });
   return [o](StandardOutput& out) { return MicroRun(*o, out).run(); };

@@ -33,6 +33,12 @@ Status in_rounds(std::size_t num_cells, unsigned jobs, Make make, Take take) {
   return ok_status();
 }
 
+// REQUIRES that the second degree is 0.
+BezierCurve<Rational> curve_of(const BezierSurface<Rational>& s) {
+  const auto all = s.coefficients();
+  return {{s.degree(0)}, s.num_components(), s.is_rational(), {all.begin(), all.end()}};
+}
+
 Status emit_splines(const ComposedSurface& surface, SplineFormat format, unsigned jobs,
                     StreamedOutput& output) {
   const SplineStream stream(format);
@@ -44,7 +50,10 @@ Status emit_splines(const ComposedSurface& surface, SplineFormat format, unsigne
         SplineModel model;
         for (auto& patches : surface.compose(begin, end))
           for (ComposedPatch& p : patches)
-            model.entities.push_back({to_bspline(p.surface), {}, std::nullopt, {}});
+            if (p.surface.degree(1) == 0)
+              model.entities.push_back({to_bspline(curve_of(p.surface)), {}, std::nullopt, {}});
+            else
+              model.entities.push_back({to_bspline(p.surface), {}, std::nullopt, {}});
         return model.entities.empty() ? std::string() : stream.part(model);
       },
       [&](const std::string& text) {

@@ -8,6 +8,7 @@
 
 #include "io/base/exact_number.h"
 #include "io/itd_polygons.h"
+#include "io/open_tile_file.h"
 #include "io/read_model.h"
 #include "io/tile_file.h"
 #include "solids/micro/bifurcation.h"
@@ -70,6 +71,14 @@ std::string take_key(const std::string& key, const std::string& value, FrameShap
   return "has no key " + key + "; a frame has bar and margin";
 }
 
+std::string take_key(const std::string& key, const std::string& value, Curves3Shape& shape) {
+  if (key == "radius") return take_number(value, shape.radius);
+  if (key != "parts") return "has no key " + key + "; curves3 has radius and parts";
+  const char* const end = value.data() + value.size();
+  const auto read = std::from_chars(value.data(), end, shape.parts.emplace());
+  return read.ec == std::errc() && read.ptr == end ? "" : "needs a number of parts, not " + value;
+}
+
 // Calls take(key, value) for each part after the name.
 template <typename Take>
 std::string take_keys(const std::vector<std::string>& parts, Take take) {
@@ -89,7 +98,8 @@ bool may_need_quadrilaterals(const MicroTile& tile) {
   return found != nullptr && !found->is_star();
 }
 
-Result<MicroTile> read_tile_file(const std::string& path, const ModelReadOptions& reading) {
+Result<MicroTile> read_tile_file(const std::string& path, const ModelReadOptions& reading,
+                                 bool as_open) {
   const Result<ModelBytes> bytes = load_model(path, reading);
   if (!bytes) return bytes.error();
   const Result<ModelFile> file = read_model(*bytes, reading);
@@ -101,10 +111,10 @@ Result<MicroTile> read_tile_file(const std::string& path, const ModelReadOptions
     if (!mesh) return mesh.error();
     polygons.emplace(std::move(*mesh));
   }
-  const auto with = [&](TileFacets facets) {
-    return tile_of(*file, path.substr(path.find_last_of('/') + 1), facets,
-                   polygons ? &*polygons : nullptr);
-  };
+  const std::string name = path.substr(path.find_last_of('/') + 1);
+  const MeshFile* const also = polygons ? &*polygons : nullptr;
+  if (as_open) return open_tile_of(*file, name, also);
+  const auto with = [&](TileFacets facets) { return tile_of(*file, name, facets, also); };
   Result<MicroTile> tile = with(TileFacets::kFewest);
   if (!tile || !may_need_quadrilaterals(*tile)) return tile;
   Result<MicroTile> finer = with(TileFacets::kQuadrilaterals);
@@ -117,11 +127,21 @@ std::string take_tile(const std::string& text, std::vector<TileChoice>& tiles) {
   const std::vector<std::string> parts = parts_of(text, ',');
   const bool is_branch = parts[0] == "branch";
   std::string why;
-  if (parts[0] == "jack" || is_branch) {
+  const bool is_sheets = parts[0] == "jack-surfaces";
+  if (parts[0] == "jack" || is_branch || is_sheets) {
     JackShape shape;
     if (is_branch) shape.arms = kBranchArms;
     why = take_keys(parts, [&](const std::string& key, const std::string& value) {
       return take_key(key, value, is_branch, shape);
+    });
+    if (is_sheets)
+      tiles.emplace_back(JackSheets{std::move(shape)});
+    else
+      tiles.emplace_back(std::move(shape));
+  } else if (parts[0] == "curves3") {
+    Curves3Shape shape;
+    why = take_keys(parts, [&](const std::string& key, const std::string& value) {
+      return take_key(key, value, shape);
     });
     tiles.emplace_back(std::move(shape));
   } else if (parts[0] == "frame") {
@@ -134,7 +154,9 @@ std::string take_tile(const std::string& text, std::vector<TileChoice>& tiles) {
     tiles.emplace_back(TileFile{text, {}});
     return "";
   } else {
-    return "needs jack, frame or branch, such as jack,node=1/5, or a file, not " + text;
+    return "needs jack, frame, branch, curves3 or jack-surfaces, such as jack,node=1/5, or a file, "
+           "not " +
+           text;
   }
   if (!why.empty()) return why;
   const Result<MicroTile> tile = make_tile(tiles.back(), 63, std::nullopt);
@@ -180,11 +202,12 @@ std::string take_counts_of_volumes(const std::string& text,
   return "";
 }
 
-Status read_tile_files(const ModelReadOptions& reading, std::vector<TileChoice>& tiles) {
+Status read_tile_files(const ModelReadOptions& reading, bool as_open,
+                       std::vector<TileChoice>& tiles) {
   for (TileChoice& choice : tiles) {
     auto* const file = std::get_if<TileFile>(&choice);
     if (file == nullptr) continue;
-    Result<MicroTile> tile = read_tile_file(file->path, reading);
+    Result<MicroTile> tile = read_tile_file(file->path, reading, as_open);
     if (!tile) {
       Error error = tile.error();
       error.place.file = file->path;
@@ -203,10 +226,15 @@ Result<MicroTile> make_tile(const TileChoice& tile, unsigned arms,
     shape.arms &= arms;
     return frame_tile(shape);
   }
-  JackShape shape = std::get<JackShape>(tile);
+  if (const auto* const curves = std::get_if<Curves3Shape>(&tile)) return curves3_tile(*curves);
+  const auto* const sheets = std::get_if<JackSheets>(&tile);
+  JackShape shape = sheets != nullptr ? sheets->jack : std::get<JackShape>(tile);
   shape.arms &= arms;
   shape.range = range;
-  return jack_tile(shape);
+  Result<MicroTile> jack = jack_tile(shape);
+  if (!jack || sheets == nullptr) return jack;
+  jack->name = jack->name.replace(0, 4, "jack-surfaces");
+  return sheets_of(std::move(*jack));
 }
 
 Result<MicroTile> make_bifurcation(const TileChoice& tile, unsigned arms,

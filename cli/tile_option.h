@@ -11,6 +11,7 @@
 #include "io/model_file.h"
 #include "solids/micro/frame.h"
 #include "solids/micro/jack.h"
+#include "solids/micro/open_tile.h"
 #include "solids/micro/tile_analysis.h"
 
 namespace veritope::cli {
@@ -20,8 +21,21 @@ struct TileFile {
   std::string path;
   MicroTile tile;
 };
-/// What --tile says: a jack or a branch, a frame, or a file.
-using TileChoice = std::variant<JackShape, FrameShape, TileFile>;
+/// The sides of a jack, without caps: "jack-surfaces".
+struct JackSheets {
+  JackShape jack;
+};
+/// What --tile says: a jack or a branch, a frame, curves, sheets, or a file.
+using TileChoice = std::variant<JackShape, FrameShape, TileFile, Curves3Shape, JackSheets>;
+
+/// Whether it is a tile of curves or sheets, whatever files hold.
+inline bool is_open_choice(const TileChoice& tile) {
+  return std::holds_alternative<Curves3Shape>(tile) || std::holds_alternative<JackSheets>(tile);
+}
+/// "curves3", for such a tile.
+inline const char* open_choice_name(const TileChoice& tile) {
+  return std::holds_alternative<Curves3Shape>(tile) ? "curves3" : "jack-surfaces";
+}
 
 /// Appends the tile. Returns nothing, or what is wrong with the text, in words that follow the name of the option. A
 /// text without a name of a tile is the path of a file, which is not read here.
@@ -34,9 +48,11 @@ std::string take_counts(const std::string& text,
 std::string take_counts_of_volumes(const std::string& text,
                                    std::vector<std::array<std::uint64_t, 3>>& counts);
 
-/// Reads the tiles that are files. Triangles are cut into quadrilaterals where that may help a proof: TileFacets.
-/// @error  as read_model_file and tile_of, with the file
-Status read_tile_files(const ModelReadOptions& reading, std::vector<TileChoice>& tiles);
+/// Reads the tiles that are files, as closed surfaces, or as curves and sheets. Triangles of closed ones are cut
+/// into quadrilaterals where that may help a proof: TileFacets.
+/// @error  as read_model_file and tile_of or open_tile_of, with the file
+Status read_tile_files(const ModelReadOptions& reading, bool as_open,
+                       std::vector<TileChoice>& tiles);
 
 /// The tile with arms to these walls at most; a file's tile has all its caps.
 /// @param range  of the numbers of walls; tiles without a thickness do not use it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "render/patch_cells.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/spline_view_internal.h"
@@ -8,6 +9,7 @@
 namespace veritope {
 namespace {
 
+constexpr int kCurveCellType = 75;      // VTK_BEZIER_CURVE
 constexpr int kQuadrilateralType = 77;  // VTK_BEZIER_QUADRILATERAL
 constexpr std::size_t kPieceBytes = std::size_t{1} << 20;
 
@@ -38,6 +40,13 @@ class PiecewiseText {
   Status status_ = ok_status();
 };
 
+// VTK's number of a control point; that of a curve if the second degree is 0.
+std::size_t vtk_number(const std::array<std::size_t, 2>& at, const std::array<int, 2>& degrees) {
+  if (degrees[1] == 0)
+    return vtk_point_index(std::array<std::size_t, 1>{at[0]}, std::array<int, 1>{degrees[0]});
+  return vtk_point_index(at, degrees);
+}
+
 std::size_t num_points_of(const std::array<int, 2>& degrees) {
   return static_cast<std::size_t>(degrees[0] + 1) * static_cast<std::size_t>(degrees[1] + 1);
 }
@@ -49,7 +58,7 @@ Status PatchCells::Part::add(const BezierSurface<Rational>& surface,
   const Grid<2> grid = surface.grid();
   std::vector<std::size_t> order(grid.count());
   for (std::size_t n = 0; n < order.size(); ++n)
-    order[vtk_point_index(grid.index_of(n), surface.degrees())] = n;
+    order[vtk_number(grid.index_of(n), surface.degrees())] = n;
   for (const std::size_t n : order) {
     const Rational weight = surface.is_rational() ? surface.component(3)[n] : Rational(1);
     for (int c = 0; c < 3; ++c) {
@@ -102,8 +111,10 @@ Status PatchCells::end(const std::function<Status(std::string_view)>& write) con
   }
   out.close_array();
   out.open_array("UInt8", "types", 1);
-  for (std::size_t n = 0; n < cells_.size(); ++n, out.next())
-    out.text() += std::to_string(kQuadrilateralType) + '\n';
+  for (const Part::Cell& cell : cells_) {
+    out.text() += std::to_string(cell.degrees[1] == 0 ? kCurveCellType : kQuadrilateralType) + '\n';
+    out.next();
+  }
   out.close_array();
   out.text() += "</Cells>\n<PointData RationalWeights=\"RationalWeights\">\n";
   out.open_array("Float64", "RationalWeights", 1);
@@ -117,7 +128,8 @@ Status PatchCells::end(const std::function<Status(std::string_view)>& write) con
   out.text() += "</PointData>\n<CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n";
   out.open_array("Float64", "HigherOrderDegrees", 3);
   for (const Part::Cell& cell : cells_) {
-    out.text() += std::to_string(cell.degrees[0]) + ' ' + std::to_string(cell.degrees[1]) + " 1\n";
+    out.text() += std::to_string(cell.degrees[0]) + ' ' +
+                  std::to_string(std::max(cell.degrees[1], 1)) + " 1\n";
     out.next();
   }
   out.close_array();

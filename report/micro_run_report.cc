@@ -53,7 +53,9 @@ std::string bridges_line(const BridgeReport& bridges) {
 
 Json composed_json(const std::optional<MicroRunReport::Composed>& composed) {
   if (!composed) return nullptr;
-  return {{"file", file_json(composed->file)}, {"patches", composed->patches}};
+  return {{"file", file_json(composed->file)},
+          {"patches", composed->patches},
+          {"curves", composed->curves}};
 }
 
 Json micro_bounds_json(const std::optional<MicroRunReport::Bounds>& b) {
@@ -97,6 +99,22 @@ std::string cells_line(const MicroRunReport& r) {
                                   std::to_string(n.undecided) + " undecided");
 }
 
+// Lines about curves and sheets: no claim is made of them.
+std::string open_run_text(const MicroRunReport& r) {
+  std::string text;
+  if (r.composed) {
+    const std::uint64_t sheets = r.composed->patches - r.composed->curves;
+    std::string shapes;
+    if (r.composed->curves != 0) shapes = counted(r.composed->curves, "curve", "curves");
+    if (sheets != 0) shapes += (shapes.empty() ? "" : ", ") + counted(sheets, "sheet", "sheets");
+    text = "wrote  " + unbroken(harmless(r.composed->file.path)) + "  " + shapes + " of " +
+           counted(r.kept, "tile", "tiles") + " in " + counted(r.cells, "cell", "cells") + "\n";
+  } else if (r.kept == 0 && r.defects.empty()) {
+    text = "wrote nothing: no tile is kept in " + counted(r.cells, "cell", "cells") + "\n";
+  }
+  return r.model && !text.empty() ? text + cells_line(r) : text;
+}
+
 }  // namespace
 
 std::string micro_run_json(const MicroRunReport& r) {
@@ -135,6 +153,7 @@ std::string micro_run_json(const MicroRunReport& r) {
 }
 
 std::string micro_run_text(const MicroRunReport& r) {
+  if (r.is_open) return open_run_text(r);
   if (!r.output || !r.counts) return "";
   std::string text = "wrote  " + unbroken(harmless(r.output->path)) + "  " +
                      counted(r.kept, "tile", "tiles") +

@@ -34,6 +34,7 @@ struct MicroRunReport {
   struct Composed {
     File file;
     std::uint64_t patches = 0;
+    std::uint64_t curves = 0;  ///< among the patches
   };
   /// What the cells held whose tiles became the cage: micro --nest.
   struct Outer {
@@ -62,6 +63,8 @@ struct MicroRunReport {
   std::optional<Bounds> scale;
   std::optional<Mesh> mesh;
   std::optional<Composed> composed;
+  bool is_open =
+      false;  ///< a run with tiles of curves and sheets, of which only composed splines are written
   std::vector<Defect> defects;
   Seconds seconds;
 };

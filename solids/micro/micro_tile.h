@@ -26,7 +26,7 @@ inline constexpr std::int32_t kMaxWallNumber = 1 << kWallBits;
 using TilePoint = std::array<Rational, 3>;
 
 /// A polynomial map of [0,1]^2 into the unit cube. Its Bernstein coefficients are points[0] + points[1] t + ...,
-/// where t is the number of a wall.
+/// where t is the number of a wall. In an open tile the second degree may be 0: then the patch is a curve.
 struct TilePatch {
   /// 2 axis + end of the wall whose number t is; nothing if there is only points[0].
   std::optional<int> wall;
@@ -37,15 +37,18 @@ struct TilePatch {
   std::size_t num_points() const {
     return static_cast<std::size_t>(degrees[0] + 1) * static_cast<std::size_t>(degrees[1] + 1);
   }
+  bool is_curve() const { return degrees[1] == 0; }
   friend bool operator==(const TilePatch&, const TilePatch&) = default;
 };
 
-/// A surface whose normals S_u x S_v point outward.
+/// A surface whose normals S_u x S_v point outward; or, if it is open, any curves and sheets.
 struct MicroTile {
   std::string name;
   /// The least and greatest number of a wall, in 2^-20; nothing if no patch depends on one.
   std::optional<std::array<std::int32_t, 2>> range;
   std::vector<TilePatch> patches;
+  /// Curves and sheets, which bound nothing: no file of a microstructure holds such a tile (open_tile.h).
+  bool is_open = false;
 
   friend bool operator==(const MicroTile&, const MicroTile&) = default;
 };

@@ -42,14 +42,16 @@ Status check_tile_list(const TilePatch& patch, std::size_t power, const std::str
   return ok_status();
 }
 
-Status check_tile_patch(const TilePatch& patch, const std::string& where) {
+Status check_tile_patch(const TilePatch& patch, bool may_be_curve, const std::string& where) {
   if (patch.wall && (*patch.wall < 0 || *patch.wall > 5))
     return bad_argument(where + "the wall must be from 0 to 5, not " + std::to_string(*patch.wall));
-  for (const int degree : patch.degrees)
-    if (degree < 1 || degree > kMaxTileDegree)
-      return Error{degree < 1 ? Code::kBadArgument : Code::kOverLimit,
-                   {},
-                   where + "a degree must be from 1 to 7, not " + std::to_string(degree)};
+  for (std::size_t a = 0; a < 2; ++a) {
+    const int degree = patch.degrees[a];
+    if (degree >= (may_be_curve && a == 1 ? 0 : 1) && degree <= kMaxTileDegree) continue;
+    return Error{degree < 1 ? Code::kBadArgument : Code::kOverLimit,
+                 {},
+                 where + "a degree must be from 1 to 7, not " + std::to_string(degree)};
+  }
   if (patch.points.empty()) return bad_argument(where + "it has 0 lists of points");
   if (patch.points.size() > kMaxTilePowers)
     return over_micro_limit(where + "it has " + std::to_string(patch.points.size()) +
@@ -150,7 +152,8 @@ Status check_tile(const MicroTile& tile, std::size_t number) {
   }
   bool has_wall = false;
   for (std::size_t i = 0; i < tile.patches.size(); ++i) {
-    Status status = check_tile_patch(tile.patches[i], where + micro_part("patch", i) + ": ");
+    Status status =
+        check_tile_patch(tile.patches[i], tile.is_open, where + micro_part("patch", i) + ": ");
     if (!status) return status;
     has_wall = has_wall || tile.patches[i].wall.has_value();
   }
@@ -281,8 +284,13 @@ Status validate(const Microstructure& micro) {
                             " grids, more than " + std::to_string(kMaxMicroGrids));
   for (std::size_t v = 0; v < micro.cage.size(); ++v)
     if (Status status = check_cage_volume(micro.cage[v], v); !status) return status;
-  for (std::size_t k = 0; k < micro.tiles.size(); ++k)
+  for (std::size_t k = 0; k < micro.tiles.size(); ++k) {
+    if (micro.tiles[k].is_open)
+      return bad_argument(micro_part("tile", k) +
+                          ": it consists of curves and sheets, and no file of microstructures "
+                          "holds them");
     if (Status status = check_tile(micro.tiles[k], k); !status) return status;
+  }
   std::uint64_t cells = 0;
   for (std::size_t g = 0; g < micro.grids.size(); ++g)
     if (Status status = check_breaks(micro, g, cells); !status) return status;

@@ -7,7 +7,7 @@
 
 #include "solids/micro/cap_matching.h"
 #include "solids/micro/compose/cell_piece_internal.h"
-#include "splines/composition.h"
+#include "splines/composition_integer.h"
 
 namespace veritope {
 namespace {
@@ -54,6 +54,9 @@ Status ComposedSurface::find_cells() {
       cells_.push_back({g, grid.tiles[c] - 1u, c, 0});
     }
   }
+  const bool has_caps = std::any_of(tiles_->begin(), tiles_->end(),
+                                    [](const AnalysedTile& t) { return !t.caps.empty(); });
+  if (!has_caps) return ok_status();
   CapMatcher matcher(*tiles_);
   Status found = ok_status();
   const bool is_complete = for_each_wall_pair(*micro_, *cage_, [&](const WallPair& pair) {
@@ -111,6 +114,7 @@ Status ComposedSurface::count() {
                          " after composition, and splines have at most " +
                          std::to_string(kMaxSplineDegree)};
       ++num_patches_;
+      num_curves_ += patches[p].is_curve();
       num_points_ +=
           static_cast<std::uint64_t>(degrees[0] + 1) * static_cast<std::uint64_t>(degrees[1] + 1);
     }
@@ -135,8 +139,9 @@ std::vector<std::vector<ComposedPatch>> ComposedSurface::compose(std::size_t beg
       if (is_left_out(cell, p)) continue;
       const BezierSurface<Rational> inner =
           patch_in_piece(piece, tile.patches[p], number_of(tile.patches[p], numbers));
-      BezierSurface<Rational> surface = veritope::compose(piece.map(), inner).value();
-      patches.push_back({p, is_left_handed ? turned_round(surface) : std::move(surface)});
+      BezierSurface<Rational> surface = compose_by_integers(piece.map(), inner).value();
+      patches.push_back(
+          {p, is_left_handed && !tile.is_open ? turned_round(surface) : std::move(surface)});
     }
   }
   return out;

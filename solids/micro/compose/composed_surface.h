@@ -29,7 +29,8 @@ struct ComposedPatch {
 };
 
 /// All patches of all tiles but for those of equal caps, which lie in the interior of the structure: together they are
-/// a closed surface. S_u x S_v turns outward. Nothing is rounded. Immutable.
+/// a closed surface. S_u x S_v turns outward. Tiles of curves and sheets are composed as they are, in their own
+/// orientation. Nothing is rounded. Immutable.
 class ComposedSurface {
  public:
   /// REQUIRES that the cage is that of micro, the analysed tiles are its tiles, each with at most 64 caps, and that
@@ -40,6 +41,7 @@ class ComposedSurface {
 
   const std::vector<ComposedCell>& cells() const { return cells_; }
   std::uint64_t num_patches() const { return num_patches_; }
+  std::uint64_t num_curves() const { return num_curves_; }  ///< among the patches: degrees (p, 0)
   std::uint64_t num_points() const { return num_points_; }  ///< control points of all patches
 
   /// The patches of cells()[begin], ..., cells()[end - 1], in this order.
@@ -59,7 +61,7 @@ class ComposedSurface {
   const VModel* cage_;
   const std::vector<AnalysedTile>* tiles_;
   std::vector<ComposedCell> cells_;
-  std::uint64_t num_patches_ = 0, num_points_ = 0;
+  std::uint64_t num_patches_ = 0, num_curves_ = 0, num_points_ = 0;
 };
 
 }  // namespace veritope

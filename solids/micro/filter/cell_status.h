@@ -8,7 +8,7 @@
 
 namespace veritope {
 
-/// Let M be the solid, as a closed set, and A the tile in space.
+/// Let M be the solid, as a closed set, and A the tile in space: a body, or the union of curves and sheets.
 enum class CellStatus : std::uint8_t {
   kKept,      ///< A lies in the interior of M: proved
   kCrossing,  ///< A has points in the interior of M and points off M: both are exhibited

@@ -92,6 +92,13 @@ void find_flatness(const Grid<2>& grid, ExactControl* out) {
   out->normal = n;
 }
 
+// Whether each control point of a curve lies on the segment of its ends.
+bool is_straight_curve(const ExactControl& control) {
+  return std::all_of(control.points.begin(), control.points.end(), [&](const ExactPoint& p) {
+    return is_on_segment(p, control.corners[0], control.corners[2]);
+  });
+}
+
 // The control points of a map into space, or false if a weight is not positive.
 template <std::size_t N>
 bool add_control_points(const Bezier<Rational, N>& map, ExactControl* out) {
@@ -207,6 +214,24 @@ std::optional<ExactPoint> common_point(const ExactControl& flat, const FacetCorn
   return polygon.front();
 }
 
+// A point that a segment and a facet have in common.
+std::optional<ExactPoint> common_point_of_segment(const ExactControl& straight,
+                                                  const FacetCorners& facet) {
+  std::vector<ExactPoint> line{straight.corners[0], straight.corners[2]};
+  std::array<ExactPoint, 3> q;
+  for (std::size_t i = 0; i < 3; ++i) q[i] = exact_of(facet[i]);
+  const ExactPoint normal =
+      exact_cross(rounded_difference(q[1], q[0]), rounded_difference(q[2], q[0]));
+  const ExactHalfSpace plane{normal, exact_dot(normal, q[0])};
+  line = clipped(clipped(line, plane), opposite_of(plane));
+  for (std::size_t i = 0; i < 3 && !line.empty(); ++i) {
+    const ExactPoint n = exact_cross(normal, rounded_difference(q[(i + 1) % 3], q[i]));
+    line = clipped(line, {n, exact_dot(n, q[i])});
+  }
+  if (line.empty()) return std::nullopt;
+  return line.front();
+}
+
 // A point of all open half-spaces, such that the facets not in `touching` miss the hull of it and the piece.
 std::optional<ExactPoint> point_beside(const MeshModel& model, const TilePiece& piece,
                                        const ExactControl& control,
@@ -296,7 +321,10 @@ std::optional<ExactControl> ExactPatches::control(const TilePiece& piece) {
   const std::size_t m = grid.size[0] - 1, n = grid.size[1] - 1;
   out.corners = {out.points[grid.at({0, 0})], out.points[grid.at({m, 0})],
                  out.points[grid.at({m, n})], out.points[grid.at({0, n})]};
-  find_flatness(grid, &out);
+  if (n == 0)
+    out.is_straight = is_straight_curve(out);
+  else
+    find_flatness(grid, &out);
   return out;
 }
 
@@ -329,6 +357,8 @@ PieceSide exact_side(const MeshModel& model, const TilePiece& piece, const Exact
     if (model.classifier().classify(control.corners[i]).is_on()) *contact = control.corners[i];
   for (std::size_t i = 0; i < touching.size() && control.is_flat && !*contact; ++i)
     *contact = common_point(control, model.corners(touching[i]));
+  for (std::size_t i = 0; i < touching.size() && control.is_straight && !*contact; ++i)
+    *contact = common_point_of_segment(control, model.corners(touching[i]));
   return out;
 }
 

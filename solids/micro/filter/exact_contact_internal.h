@@ -21,6 +21,8 @@ struct ExactControl {
   /// convex quadrilateral: the piece covers it, and nothing else.
   bool is_flat = false;
   ExactPoint normal;  ///< of a flat piece
+  /// All control points lie on the segment between the corners 0 and 2: the piece covers it, and nothing else.
+  bool is_straight = false;
 };
 
 /// The exact map of a tile's patches in one cell, composed on demand.

@@ -98,7 +98,8 @@ std::pair<TilePiece, TilePiece> TilePieces::halves(const TilePiece& piece,
                          piece.bend[0][1] + piece.bend[0][2];
   const double along_v = approx_length(p[0], p[2]) + approx_length(p[1], p[3]) + piece.bend[1][0] +
                          piece.bend[1][1] + piece.bend[1][2];
-  const std::size_t a = along_u >= along_v ? 0 : 1, b = 1 - a;
+  const std::size_t a = along_u >= along_v || tile_.patches()[piece.patch].is_curve() ? 0 : 1,
+                    b = 1 - a;
   *axis = a;
   std::pair<TilePiece, TilePiece> out{piece, piece};
   const auto number = [](std::uint64_t n, int level) {
@@ -108,11 +109,14 @@ std::pair<TilePiece, TilePiece> TilePieces::halves(const TilePiece& piece,
   out.first.at[a] = 2 * piece.at[a];
   out.second.level[a] = out.first.level[a];
   out.second.at[a] = out.first.at[a] + 1;
+  // Both sides of a curve are one point.
+  const TileShape::Side& of = tile_.patches()[piece.patch];
+  Box3 cut;
   for (std::size_t side = 0; side < 2; ++side) {
     std::array<double, 2> at{};
     at[a] = number(out.second.at[a], out.second.level[a]);
     at[b] = number(piece.at[b] + side, piece.level[b]);
-    const Box3 cut = net_.values(patch_value(tile_.patches()[piece.patch].enclosed, at[0], at[1]));
+    if (side == 0 || !of.is_curve()) cut = net_.values(patch_value(of.enclosed, at[0], at[1]));
     out.first.corners[(std::size_t{1} << a) + (side << b)] = cut;
     out.second.corners[side << b] = cut;
   }

@@ -14,7 +14,8 @@
 
 namespace veritope::internal {
 
-/// The part of a patch over [at[a], at[a] + 1] / 2^level[a], a = 0, 1.
+/// The part of a patch over [at[a], at[a] + 1] / 2^level[a], a = 0, 1. That of a curve has the level 0 along its second
+/// axis: the corners 0 and 2 are its begin, and 1 and 3 its end.
 struct TilePiece {
   std::uint32_t patch = 0;
   std::array<std::uint64_t, 2> at{};

@@ -16,13 +16,14 @@ Error bad_tile_patch(std::size_t number, const std::string& why) {
   return bad_argument("patch " + std::to_string(number) + " of the tile " + why);
 }
 
-Status check_tile_patch(const TileShape::Surface& patch, std::size_t number) {
+Status check_tile_patch(const TileShape::Surface& patch, std::size_t number, bool is_open) {
   if (patch.is_rational()) return bad_tile_patch(number, "is rational; tiles are polynomial");
   if (patch.num_components() != 3)
     return bad_tile_patch(number, "has " + std::to_string(patch.num_components()) +
                                       " coordinates; a tile lies in space");
-  for (const int degree : patch.degrees())
-    if (degree < 1 || degree > kMaxPatchDegree)
+  for (std::size_t a = 0; a < 2; ++a)
+    if (const int degree = patch.degree(a);
+        degree < (is_open && a == 1 ? 0 : 1) || degree > kMaxPatchDegree)
       return bad_tile_patch(number,
                             "has the degree " + std::to_string(degree) + "; 1 to 15 are admitted");
   for (const Rational& x : patch.coefficients())
@@ -62,11 +63,19 @@ BezierSurface<Interval> enclosed_patch(const TileShape::Surface& patch) {
 }  // namespace
 
 Result<TileShape> TileShape::make(std::vector<Surface> patches) {
+  return make(std::move(patches), false);
+}
+Result<TileShape> TileShape::make_open(std::vector<Surface> patches) {
+  return make(std::move(patches), true);
+}
+
+Result<TileShape> TileShape::make(std::vector<Surface> patches, bool is_open) {
   if (patches.empty()) return bad_argument("a tile without patches has no surface");
   for (std::size_t i = 0; i < patches.size(); ++i)
-    if (Status status = check_tile_patch(patches[i], i); !status) return status.error();
+    if (Status status = check_tile_patch(patches[i], i, is_open); !status) return status.error();
   const ScopedUpward upward;
   TileShape out;
+  out.is_open_ = is_open;
   std::map<PatchPoint, std::uint32_t> number_of;
   for (Surface& patch : patches) {
     Side side{std::move(patch), BezierSurface<Interval>({1, 1}, 3, false), {}, {}, {}};

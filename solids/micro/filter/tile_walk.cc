@@ -17,6 +17,7 @@ namespace {
 constexpr int kBreadthFirstDepth = 6;
 constexpr int kMaxShellVertices = 64;
 constexpr int kPiecesWithoutHope = 500;
+constexpr std::size_t kMaxTouchingParts = 64;
 
 }  // namespace
 
@@ -39,6 +40,21 @@ void TileWalk::note_exactly(const TilePatchPoint& at) {
   VT_CHECK(!answer.is_on(), "a point of a part that misses the surface lies on it");
   auto& witness = answer.winding != 0 ? inside_ : off_;
   if (!witness) witness = at;
+}
+
+// Notes where the middles of the parts that touch lie, if not on the surface of M: one may touch it from inside, and
+// another one from outside.
+void TileWalk::note_touching() {
+  for (std::size_t i = 0; i < touching_.size() && !is_crossing(); ++i) {
+    const TilePiece& piece = touching_[i];
+    const Rational half = Rational::power_of_two(-1);
+    const TilePatchPoint middle{piece.patch, half * (piece.parameter(0, 0) + piece.parameter(0, 3)),
+                                half * (piece.parameter(1, 0) + piece.parameter(1, 3))};
+    const PointAnswer answer = model_.classify(cell_.image(tile(), middle));
+    if (!answer.is_decided || answer.is_on()) continue;
+    auto& witness = answer.winding != 0 ? inside_ : off_;
+    if (!witness) witness = middle;
+  }
 }
 
 void TileWalk::note_corners() {
@@ -93,6 +109,7 @@ bool TileWalk::settle(OpenPiece* open) {
     return true;
   }
   is_touching_ = true;
+  if (touching_.size() < kMaxTouchingParts) touching_.push_back(open->piece);
   is_near_inside_ = is_near_inside_ && side.is_near_inside;
   is_near_outside_ = is_near_outside_ && side.is_near_outside;
   return true;
@@ -208,8 +225,13 @@ CellFinding TileWalk::finish() {
   if (has_unsettled_) return found(CellStatus::kUndecided);
   // Either every point of the tile's surface is in M, or none is in its interior.
   const bool is_inside = is_near_inside_ && !off_;
-  if (!is_inside && !(is_near_outside_ && !inside_)) return found(CellStatus::kUndecided);
-  if (std::optional<CellFinding> shell = find_shells_inside()) return *shell;
+  if (!is_inside && !(is_near_outside_ && !inside_)) {
+    note_touching();
+    return found(is_crossing() ? CellStatus::kCrossing : CellStatus::kUndecided);
+  }
+  // Curves and sheets hold nothing inside.
+  if (!tile().is_open())
+    if (std::optional<CellFinding> shell = find_shells_inside()) return *shell;
   if (!is_touching_) return found(is_inside ? CellStatus::kKept : CellStatus::kOutside);
   return found(contact_ ? CellStatus::kTouching : CellStatus::kUndecided);
 }

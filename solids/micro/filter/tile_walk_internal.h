@@ -37,6 +37,7 @@ class TileWalk {
   bool is_crossing() const { return inside_ && off_; }
   Value3 note(const TilePiece& piece, std::size_t corner);
   void note_exactly(const TilePatchPoint& at);
+  void note_touching();
   void note_corners();
   void open_patches();
   void visit_breadth_first();
@@ -58,6 +59,7 @@ class TileWalk {
   std::vector<OpenPiece> open_;
   std::vector<TilePiece>
       apart_;  ///< parts of patches that are apart from all obstacles, where not the whole patch is
+  std::vector<TilePiece> touching_;  ///< the first parts that touch
   std::vector<char> is_patch_apart_;
   bool has_unsettled_ = false, is_touching_ = false;
   /// Whether every point of the touching parts is a limit of points in the interior of M, or off M.

@@ -19,8 +19,9 @@ std::shared_ptr<const TileShape> shape_of(const MicroTile& tile, const WallNumbe
       for (const TilePoint& p : points) all.push_back(p[c]);
     patches.emplace_back(patch.degrees, 3, false, std::move(all));
   }
-  Result<TileShape> shape = TileShape::make(std::move(patches));
-  VT_CHECK(shape.has_value(), "the tile was analysed");
+  Result<TileShape> shape =
+      tile.is_open ? TileShape::make_open(std::move(patches)) : TileShape::make(std::move(patches));
+  VT_CHECK(shape.has_value(), "the tile was checked");
   return std::make_shared<const TileShape>(std::move(*shape));
 }
 

@@ -41,7 +41,7 @@ std::optional<Bezier<Rational, N>> lower(const Bezier<Rational, N>& map, std::si
 }
 
 /// The same map with the least degrees that hold it, but none below 1. The same degrees are found in every order of
-/// the axes.
+/// the axes. REQUIRES degrees of at least 1.
 template <std::size_t N>
 Bezier<Rational, N> lowered(Bezier<Rational, N> map) {
   for (std::size_t axis = 0; axis < N; ++axis)

@@ -40,7 +40,8 @@ std::optional<Bezier<Rational, N>> lower(const Bezier<Rational, N>& map, std::si
   return out;
 }
 
-/// Lowers the degrees as far as the map stays the same, but none below 1. The order of the axes does not matter. REQUIRES degrees of at least 1.
+/// Lowers the degrees as far as the map stays the same, but none below 1. The order of the axes does not
+/// matter. REQUIRES degrees of at least 1.
 template <std::size_t N>
 Bezier<Rational, N> lowered(Bezier<Rational, N> map) {
   for (std::size_t axis = 0; axis < N; ++axis)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr unsigned kArmSets = 64;
 
-// The jack of which this is the tile.
+// The jack of which this is the tile; its range may be a part of the one with which it was made.
 JackShape shape_of_tile(const MicroTile& tile, const std::vector<TileChoice>& tiles,
                         const std::optional<std::array<std::int32_t, 2>>& range) {
   for (const TileChoice& choice : tiles)
@@ -23,7 +23,7 @@ JackShape shape_of_tile(const MicroTile& tile, const std::vector<TileChoice>& ti
       shape.arms &= arms;
       shape.range = range;
       const Result<MicroTile> made = jack_tile(shape);
-      if (made && *made == tile) return shape;
+      if (made && made->name == tile.name && made->patches == tile.patches) return shape;
     }
   VT_CHECK(false, "a tile is none of the jacks of which it was made");
   return {};

@@ -13,7 +13,7 @@
 
 namespace veritope {
 
-/// The same map with one degree less along the axis; nothing if there is none. REQUIRES a degree of at least 1.
+/// Lowers the degree along the axis by 1 if the map can be written so. REQUIRES a degree of at least 1.
 /// A rational map is taken as homogeneous polynomials: a common factor of these is not found.
 /// @source [FR88], solved for the old coefficients: p c_i = i b_(i-1) + (p - i) b_i
 /// @cost  2 products for each coefficient
@@ -40,8 +40,8 @@ std::optional<Bezier<Rational, N>> lower(const Bezier<Rational, N>& map, std::si
   return out;
 }
 
-/// The same map with the least degrees that hold it, but none below 1. The same degrees are found in every order of
-/// the axes.
+/// Lowers the degrees as far as the map stays the same, but none below 1. The order of the axes does not
+/// matter. REQUIRES degrees of at least 1.
 template <std::size_t N>
 Bezier<Rational, N> lowered(Bezier<Rational, N> map) {
   for (std::size_t axis = 0; axis < N; ++axis)

@@ -88,7 +88,8 @@ TEST(JackVolumes, HaveTheSurfaceOfTheTileAsTheirBorder) {
     for (std::size_t c = 0; c < model.num_cells(); ++c)
       EXPECT_EQ(model.hand(c), Sign::kPositive) << c;
     std::vector<PointSet> patches;
-    for (const TilePatch& p : jack_tile(jack.shape).value().patches)
+    const MicroTile tile = jack_tile(jack.shape).value();
+    for (const TilePatch& p : tile.patches)
       patches.push_back(sorted_points(points_at(p, number_of(p, jack.numbers))));
     std::sort(patches.begin(), patches.end());
     EXPECT_EQ(border_faces(model), patches);
@@ -156,7 +157,7 @@ std::vector<NestCase> cases() {
   out.push_back(jacks_in({bent()}, {1, 2, 2}, straight));
   out.push_back(jacks_in({cube(0, 0, 0)}, {2, 2, 1}, smooth));
   out.push_back(
-      jacks_in({one_cell_cylinder(Rational(2), Rational(1)).value()}, {1, 4, 1}, straight));
+      jacks_in({one_cell_cylinder(Rational(2), Rational(1)).value()}, {1, 1, 4}, straight));
   out.push_back(jacks_in({bent()}, {1, 2, 1}, graded));
   Random random(7);
   const VModel model = make_v_model(out.back().cage, VOrientation::kAuto).value();
@@ -170,7 +171,7 @@ std::vector<NestCase> cases() {
 }
 
 std::array<Rational, 3> point_of(const VVolume& volume, const std::array<Rational, 3>& at) {
-  std::vector<Rational> p = point(volume, at);
+  std::vector<Rational> p = point(volume, at).value();
   return {p[0], p[1], p[2]};
 }
 
@@ -296,14 +297,12 @@ TEST(ComposedCage, RefusesWhatNoCageHolds) {
       << degree.error().message;
 
   const NestCase one = jacks_in({cube(0, 0, 0)}, {1, 1, 1}, straight);
-  const BezierVolume<Rational> unit = jack_volumes(one.shapes[0], {}).front();
-  for (const std::size_t count : {kMaxMicroGrids, kMaxMicroGrids + 1}) {
-    const auto many = composed_cage(one.micro, [&](std::size_t, const WallNumbers&) {
-      return std::vector<BezierVolume<Rational>>(count, unit);
-    });
-    EXPECT_EQ(many.has_value(), count == kMaxMicroGrids);
-    if (!many) EXPECT_EQ(many.error().code, Code::kOverLimit);
-  }
+  EXPECT_TRUE(composed_cage(one.micro, volumes_of(one), 7));
+  const auto seven = composed_cage(one.micro, volumes_of(one), 6);
+  ASSERT_FALSE(seven);
+  EXPECT_EQ(seven.error().code, Code::kOverLimit);
+  EXPECT_NE(seven.error().message.find("more than 6 volumes"), std::string::npos)
+      << seven.error().message;
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ namespace {
 
 class CageComposer {
  public:
-  CageComposer(const Microstructure& micro, const VolumesOfTile& volumes)
-      : micro_(micro), volumes_(volumes), piece_(micro) {}
+  CageComposer(const Microstructure& micro, const VolumesOfTile& volumes, std::size_t max_volumes)
+      : micro_(micro), volumes_(volumes), max_volumes_(max_volumes), piece_(micro) {}
 
   Result<std::vector<VVolume>> compose() {
     for (std::size_t g = 0; g < micro_.grids.size(); ++g) {
@@ -37,10 +37,10 @@ class CageComposer {
     piece_.enter(number, cell);
     const std::size_t tile = grid.tiles[grid.shape().at(cell)] - std::size_t{1};
     for (const BezierVolume<Rational>& volume : volumes_(tile, grid.numbers_of(cell))) {
-      if (out_.size() == kMaxMicroGrids)
+      if (out_.size() == max_volumes_)
         return Error{Code::kOverLimit,
                      {},
-                     "the tiles have more than " + std::to_string(kMaxMicroGrids) +
+                     "the tiles have more than " + std::to_string(max_volumes_) +
                          " volumes, and a cage has no more"};
       if (Status status = add(volume, number, cell); !status) return status;
     }
@@ -68,6 +68,7 @@ class CageComposer {
 
   const Microstructure& micro_;
   const VolumesOfTile& volumes_;
+  std::size_t max_volumes_;
   internal::CellPiece piece_;
   std::vector<VVolume> out_;
 };
@@ -75,8 +76,8 @@ class CageComposer {
 }  // namespace
 
 Result<std::vector<VVolume>> composed_cage(const Microstructure& micro,
-                                           const VolumesOfTile& volumes) {
-  return CageComposer(micro, volumes).compose();
+                                           const VolumesOfTile& volumes, std::size_t max_volumes) {
+  return CageComposer(micro, volumes, max_volumes).compose();
 }
 
 }  // namespace veritope

@@ -20,11 +20,11 @@ using VolumesOfTile = std::function<std::vector<BezierVolume<Rational>>(
 /// [0, 1]^3, with the least degrees that hold it. Nothing is rounded: volumes of one tile with equal faces have equal
 /// faces, and so have neighbours whose volumes have equal faces in a common wall. Whether all that is a V-model, and
 /// VALID, is not said. A volume has the hand of the cage's volume if it is right-handed in the cube.
-/// @error kEmpty: no cell holds a tile; kOverLimit: more than kMaxMicroGrids volumes, or one of a degree over
-///        kMaxVDegree
+/// @error kEmpty: no cell holds a tile; kOverLimit: more than max_volumes volumes, or one of a degree over kMaxVDegree
 /// @cost  rational arithmetic: 0.2 ms for a volume of degree 1 in a trilinear one, much more for high degrees
 /// REQUIRES validate(micro).
 Result<std::vector<VVolume>> composed_cage(const Microstructure& micro,
-                                           const VolumesOfTile& volumes);
+                                           const VolumesOfTile& volumes,
+                                           std::size_t max_volumes = kMaxMicroGrids);
 
 }  // namespace veritope

@@ -766,6 +766,10 @@ class Bridges(Judged):
         self.refuse(micro, bridges=json.dumps([good, good]))
         self.refuse(micro, bridges=json.dumps([good, {**good, "wall": 4}]))
         self.refuse(micro, bridges="null")
+        for member, key in (("bridges", "grid"), ("bridges", "volume"), ("bridges", "cell"), ("grids", "volume")):
+            plain = micro.members()[member]
+            self.assertIn(f'"{key}": 0', plain)
+            self.refuse(micro, **{member: plain.replace(f'"{key}": 0', f'"{key}": -0')})    # an integer has no sign
         text = self.column().text(bridges="[]")
         body = mf.hints([mf.rod()]) + mf.cage_body(micro.cage_text(), VERITOPE)
         self.judge(text, mf.certificate(text, body, {**dict(zip(mf.NUMBERS, (4, 1, 0, 1, 1, 0))), "bridges": 0}), 0, "ACCEPT")

@@ -16,7 +16,8 @@ struct MicroParts : JsonReader {
       item(i++);
     });
   }
-  int64_t integer_in(int64_t least, int64_t most) {
+  int64_t integer_in(int64_t least, int64_t most) {  // REQUIRES least >= 0
+    expect(next() != '-', "an integer has a sign");
     const int64_t v = integer();
     expect(v >= least && v <= most, "an integer is out of range");
     return v;

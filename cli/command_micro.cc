@@ -671,7 +671,7 @@ RunCommand declare_micro(OptionSet& set) {
   set.repeatable(
       "--tile", "TILE",
       [o = o.get()](const std::string& text) { return take_tile(text, o->tiles); },
-      "jack[,node=1/5][,...], branch, frame, or a file");
+      "jack[,node=1/5][,...], branch, frame, curves3, or a file");
   set.option(
       "--counts", "K,M,N",
       [o = o.get()](const std::string& text) { return take_counts_of_volumes(text, o->counts); },

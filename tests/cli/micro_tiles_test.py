@@ -290,7 +290,7 @@ class MicroTiles(support.Folder):
         cells = list(itertools.product(range(14), repeat=3))
         many = self.file("many.off", off(*blocks(cells, [f"{i}/16" for i in range(1, 16)])))
         self.assertIn("2352 triangles, more than 2048", " ".join(self.micro(many, expect=4).split()))
-        for tile, why in (("ring", "needs jack, frame or branch"), ("frame,rod=1", "has no key rod"), ("frame,bar=1/3", "is not a tile"),
+        for tile, why in (("ring", "needs jack, frame, branch"), ("frame,rod=1", "has no key rod"), ("frame,bar=1/3", "is not a tile"),
                           ("branch,arms=u2", "needs walls such as"), ("jack,arms=u0", "has no key arms")):
             self.assertIn(why, " ".join(self.micro(tile, expect=2).split()))
 

@@ -92,7 +92,7 @@ VALUES = [
     ("cage hull --around a.off --margin 0 -o c.vjson", 2, "--margin of a hull must be positive"),
     ("cage radial --outer x --height 0,1 -o c.vjson", 2, "--outer: needs a decimal, fraction or hexadecimal number, not x"),
     ("cage split --of c.vjson --at x=1 -o d.vjson", 2, "--at: needs an axis and a parameter, such as u=1/2, not x=1"),
-    ("micro --cage c.vjson --tile ball --counts 1,1,1 -o c.vmicro", 2, "--tile: needs jack, frame or branch, such as jack,node=1/5, or a file, not ball"),
+    ("micro --cage c.vjson --tile ball --counts 1,1,1 -o c.vmicro", 2, "--tile: needs jack, frame, branch, curves3 or jack-surfaces, such as"),
     ("micro --cage c.vjson --tile jack,size=1 --counts 1,1,1 -o c.vmicro", 2, "--tile: has no key size; a jack has node, cap and degree"),
     ("micro --cage c.vjson --tile jack,cap=1/2 --counts 1,1,1 -o c.vmicro", 2, "--tile: is not a tile: cap = 1/2 of a jack is not between 0 and 1/2"),
     ("micro --cage c.vjson --tile jack --counts 1,0,1 -o c.vmicro", 2, "--counts: needs three numbers K,M,N from 1, or such numbers for each volume, as in 2,3,4/2,3,1, not 1,0,1"),

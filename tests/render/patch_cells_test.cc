@@ -30,6 +30,30 @@ std::string array_of(const std::string& file, const std::string& name) {
   return file.substr(begin, file.find("</DataArray>", begin) - begin);
 }
 
+TEST(PatchCells, HaveCurvesWhereTheSecondDegreeIsZero) {
+  SplineModel model;
+  PatchCells cells({"patch"});
+  PatchCells::Part made;
+  std::uint64_t points = 0;
+  for (int degree = 1; degree <= 5; ++degree) {
+    const auto s = surface({degree, 0}, degree == 3, degree);
+    ASSERT_TRUE(made.add(s, {degree}));
+    points += s.grid().count();
+    const BezierCurve<Rational> curve({degree}, s.num_components(), s.is_rational(),
+                                      {s.coefficients().begin(), s.coefficients().end()});
+    model.entities.push_back({to_bspline(curve), {}, std::nullopt, {}});
+  }
+  std::string file = PatchCells::begin(points, 5) + cells.take(std::move(made));
+  ASSERT_TRUE(cells.end([&](std::string_view text) {
+    file += text;
+    return ok_status();
+  }));
+  const std::string whole = view_bytes(model, ViewFormat::kVtu, {}).value();
+  for (const char* const name :
+       {"Points", "RationalWeights", "HigherOrderDegrees", "offsets", "types", "connectivity"})
+    EXPECT_EQ(array_of(file, name), array_of(whole, name)) << name;
+}
+
 TEST(PatchCells, AreTheCellsThatAModelOfTheseSurfacesHas) {
   SplineModel model;
   PatchCells cells({"volume", "patch"});

@@ -327,5 +327,5 @@ def false_boxes(rng):
         yield "F3_" + kind, boxed_row(rng, *boxed(kind), n=1 if kind in ("apart", "nested", "moving") else rng.choice((1, 1, 2)))
 
 
-STRATEGIES = ((folded_bridges, 10), (loose_bridges, 10), (bridges_elsewhere, 10), (around_a_ring, 3), (meeting_bridges, 8), (forged_slices, 3),
-              (flipped_bits, 6), (false_boxes, 8))
+STRATEGIES = ((folded_bridges, 10), (loose_bridges, 10), (bridges_elsewhere, 10), (around_a_ring, 3), (meeting_bridges, 8), (forged_slices, 10),
+              (flipped_bits, 6), (false_boxes, 40))

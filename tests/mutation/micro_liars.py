@@ -374,7 +374,20 @@ def folded_tiles(rng):
         axis = next(a for a in range(3) if middle[a] in (0, 1))
         at = abs(middle[axis] - rng.choice((Q(1, 64), Q(1, 16), Q(1, 8), Q(15, 16), Q(1, 1 << 40))))
         tile.centre = tuple(at if a == axis else c for a, c in enumerate(tile.centre))
-    yield "F1_folded", told(small(rng, [tile]), "F1")
+    if is_folded(tile):                                   # else it is another tile that is star-shaped
+        yield "F1_folded", told(small(rng, [tile]), "F1")
+
+
+def is_folded(tile):
+    """Whether the centre is on or behind the plane of two sides at a corner of a patch, for the least numbers or the greatest ones."""
+    for number in tile.extent or (0,):
+        for quad in tile.quads:
+            corners = [tile.at(name, [number] * 6) for name in quad]
+            for k, p in enumerate(corners):
+                u, v, w = [[a - b for a, b in zip(q, p)] for q in (corners[(k + 1) % 4], corners[k - 1], tile.centre)]
+                if any(u) and any(v) and micro_bridge_liars.det([u, v, w]) >= 0:
+                    return True
+    return False
 
 
 def wound_tiles(rng):

@@ -13,6 +13,8 @@
 namespace veritope::certificate {
 namespace {
 
+using internal::ByteReader;
+
 constexpr std::size_t kLeastBytesOfVoid = 11;
 
 // A body in the body, with its magic.

@@ -510,6 +510,7 @@ class MicroRun {
 
   // The mesh as its file will be read, if that bounds a solid with the numbers of the microstructure.
   ExitCode make_mesh() {
+    report_.wants_surface = options_.mesh || options_.emit;
     if (!options_.mesh || report_.kept == 0) return kExitValid;
     progress_.phase(*options_.mesh, "making the mesh");
     Stopwatch watch;
@@ -699,7 +700,7 @@ RunCommand declare_micro(OptionSet& set) {
   set.repeatable(
       "--material", "NAME=EXPR",
       [o = o.get()](const std::string& text) { return take_material(text, *o); },
-      "a property of the points, from x y z u v w; any number of them");
+      "a property of the points: a formula, as above");
   declare_bridge(set, o->bridge, o->skin);
   set.output("-o,--output", o->output, "write the microstructure, .vmicro");
   set.output("--mesh", o->mesh, "write its surface as a mesh, within --chord H of it");

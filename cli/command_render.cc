@@ -91,13 +91,12 @@ std::string take_factor(const std::string& text, std::optional<Rational>& factor
 }
 
 void declare(OptionSet& set, RenderOptions& o) {
-  declare_file(set, "MODEL", o.input,
-               "a mesh, surfaces, volumes, an expression or a microstructure");
+  declare_file(set, "MODEL", o.input, "mesh, surfaces, volumes, expression or microstructure");
   set.output("-o,--output", o.output, "write the picture: .png; for viewers .vtu, .gltf, .obj");
   set.option(
       "--explode", "K", [&o](const std::string& t) { return take_factor(t, o.explode); },
       "volumes: move cells apart, by K times their offset (0)");
-  set.flag("--nets", o.nets, "volumes: draw control nets; microstructures: the cage");
+  set.flag("--nets", o.nets, "draw control nets of volumes, the cage of tiles");
   set.length("--chord", "H", o.chord, "volumes: the distance of chords to aim at");
   set.option(
       "--size", "W,H", [&o](const std::string& t) { return take_size(t, o.size); },
@@ -110,7 +109,7 @@ void declare(OptionSet& set, RenderOptions& o) {
   set.option(
       "--bounds", "BOX", [&o](const std::string& t) { return take_box(t, o.bounds); },
       "X0,Y0,Z0,X1,Y1,Z1: this box only (MODEL's box)");
-  set.text("--around", o.around, "microstructures: draw this mesh around it");
+  set.text("--around", o.around, "microstructures: draw this mesh around them");
   declare_json(set, o.json, "write the counts");
   declare_jobs(set, o.jobs);
   set.flag("--no-check", o.no_check, "do not run veritope-check");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // render/micro_view.h: microstructures for pictures and viewers, in the colours of the paper: tiles, tiles with
-// bridges, bridges, the cage as lines, the model around them. These are pictures: everything is rounded to binary64, and
-// nothing is decided. Source: figures 3 to 7 of [HPE22].
+// bridges, bridges, the cage as lines, the model around them. These are pictures: everything is rounded to binary64,
+// and nothing is decided. Source: figures 3 to 7 of [HPE22].
 #pragma once
 #include <cstddef>
 #include <optional>

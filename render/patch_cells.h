@@ -15,7 +15,8 @@
 
 namespace veritope {
 
-/// Surfaces whose second degree is 0 are curves. A .vtu file in ASCII: begin(), the points of all parts, and end(). Numbers are rounded to the nearest binary64.
+/// Surfaces whose second degree is 0 are curves. A .vtu file in ASCII: begin(), the points of all parts, and end().
+/// Numbers are rounded to the nearest binary64.
 /// Several threads may make parts; they are taken in order.
 class PatchCells {
  public:

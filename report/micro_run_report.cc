@@ -172,6 +172,8 @@ std::string micro_run_text(const MicroRunReport& r) {
     text += detail_line("volume", bounds_text(*r.volume) + ", " +
                                       bounds_text({100 * r.density->lo, 100 * r.density->hi}) +
                                       " % of the cells");
+  if (r.wants_surface && r.kept == 0)
+    text += detail_line("surface", "none is written, because no tile is kept");
   if (r.floating != 0)
     text += detail_line("floating", counted(r.floating, "tile", "tiles") + " off the largest part");
   if (r.bridges) text += bridges_line(*r.bridges);

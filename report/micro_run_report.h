@@ -65,6 +65,7 @@ struct MicroRunReport {
   std::optional<Composed> composed;
   bool is_open =
       false;  ///< a run with tiles of curves and sheets, of which only composed splines are written
+  bool wants_surface = false;  ///< a mesh or the composed surface was asked for
   std::vector<Defect> defects;
   Seconds seconds;
 };

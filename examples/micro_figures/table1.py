@@ -112,7 +112,8 @@ class Table:
                                      "--model", model, "--emit", f"{name}_open.vjson", "--json", "-",
                                      "--jobs", self.options.jobs, *self.options.more, allowed=(0, 3)))
         tiles, s, written = report["tiles"], report["seconds"], report["composed"] or {"patches": 0}
-        print(f"{name}  {tiles['total']:6} {tiles['kept']:5}        {tiles['undecided']:4} undecided  filter {s['filter']:.3f} s  "
+        print(f"{name}  {tiles['total']:6} {tiles['kept']:5}        {tiles['undecided']:4} undecided  "
+              f"filter {s['filter']:.3f} s  "
               f"{written['patches']} patches or curves in {s['compose']:.2f} s", flush=True)
         return True
 

@@ -3,8 +3,7 @@
 """figures.py VERITOPE [PICTURES [FIGURE...]]: the microstructures of the figures of [HPE22].
 
 Makes the models (make_models.py), fills, filters and bridges, decides the results, and draws them into the folder
-PICTURES. Prints what was found; expected.txt is the output for the figures that need no data of others. Figure 6 needs
-the bunny: see table1.py.
+PICTURES. Prints what was found. Figure 6 needs the bunny: see table1.py.
 """
 import json
 import os

@@ -44,11 +44,12 @@ def run_in(folder, given, solid=None):
     return r.returncode, condition(r.stdout), r.stdout + r.stderr
 
 
-def both(model, certificate, skip=frozenset(), answers=None, files=None):
-    """files: as check() has it; the reader knows its `contents`."""
-    code, line = in_python(model, certificate, skip, answers, files)
+def both(model, certificate, skip=frozenset(), answers=None, files=None, second=None):
+    """files, second: as check() has them; the reader of files knows its `contents`."""
+    code, line = in_python(model, certificate, skip, answers, files, second)
     if not skip:
-        other = in_cpp(model, certificate, *(() if answers is None else (answers,)), beside=files and files[1].contents)
+        other = in_cpp(model, certificate, *(() if answers is None else (answers,)),
+                       beside=files and files[1].contents, solid=second)
         assert other[0] > 1 or other[2].count("\n") == 1, other    # one line, and nothing on stderr
         if "too far away" in other[2]:                    # the limit of the C++ checker (star-box.md, section 8)
             assert other[:2] == (1, "B1"), other

@@ -36,6 +36,8 @@ std::string take_nest(const std::string& text, std::optional<NestChoice>& nest) 
   if (colon == text.npos) return "needs TILE:K,M,N, such as jack:3,3,3, not " + text;
   std::vector<TileChoice> tiles;
   if (std::string why = take_tile(text.substr(0, colon), tiles); !why.empty()) return why;
+  if (is_open_choice(tiles.front()))
+    return std::string("needs a closed tile, and ") + open_choice_name(tiles.front()) + " is open";
   std::optional<std::array<std::uint64_t, 3>> counts;
   if (std::string why = take_counts(text.substr(colon + 1), counts); !why.empty()) return why;
   nest = NestChoice{std::move(tiles.front()), *counts};

@@ -103,7 +103,8 @@ class MicroNest(support.Folder):
 
     def test_what_cannot_be_nested_is_refused(self):
         for arguments, how, says in ((("--nest", "jack"), {}, "needs TILE:K,M,N"), (("--nest", "jack:1,1"), {}, "K,M,N"),
-                                     (("--nest", "jack:0,1,1"), {}, "K,M,N"), (("--nest", "jill:1,1,1"), {}, "jack, frame or branch"),
+                                     (("--nest", "jack:0,1,1"), {}, "K,M,N"), (("--nest", "jill:1,1,1"), {}, "needs jack, frame, branch"),
+                                     (("--nest", "curves3:1,1,1"), {}, "needs a closed tile, and curves3 is open"),
                                      (("--nest", "jack:1,1,1"), {"tile": "frame"}, "jacks and branches"),
                                      (("--nest", "jack:1,1,1", "--double", "w=1"), {"counts": "2,1,2"}, "exclude each other"),
                                      (("--nest", "jack:1,1,1", "--model", "m.off", "--bridge", "domain"), {}, "no bridges")):

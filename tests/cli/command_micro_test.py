@@ -34,13 +34,7 @@ class MicroCommand(support.Folder):
     def setUp(self):
         super().setUp()
         self.out = self.folder / "out.vmicro"
-        self.box = self.tree("box", {"op": "box", "min": [0, 0, 0], "max": [8, 8, 8]})
-
-    def tree(self, name, root):
-        tree, volumes = self.folder / f"{name}.json", self.folder / f"{name}.vjson"
-        tree.write_text(json.dumps({"format": "veritope-tree-1", "root": root}))
-        self.assertEqual(run("build", tree, "-o", volumes).returncode, 0)
-        return volumes
+        self.box = self.volumes("box", {"op": "box", "min": [0, 0, 0], "max": [8, 8, 8]})
 
     def micro(self, *arguments, cage=None, counts="4,4,4", tile="jack,degree=1", expect=0):
         """The report of a microstructure whose numbers are those that certify finds."""
@@ -76,7 +70,7 @@ class MicroCommand(support.Folder):
             self.assertLessEqual(bounds["lo"], truth * (1 + 1e-12))
             self.assertGreaterEqual(bounds["hi"], truth * (1 - 1e-12))
             self.assertLess(bounds["hi"] - bounds["lo"], 1e-9 * truth)
-        torus = self.tree("torus", {"op": "torus", "major": 3, "minor": 1})
+        torus = self.volumes("torus", {"op": "torus", "major": 3, "minor": 1})
         report = self.micro(cage=torus, counts="2,2,6")
         cage = 6 * math.pi**2
         self.assertAlmostEqual(report["volume"]["lo"] / report["density"]["lo"] / cage, 1, 7)
@@ -163,7 +157,7 @@ class MicroCommand(support.Folder):
                 self.assertEqual(status, "crossing", line)
 
     def test_a_solid_of_volumes_is_its_border(self):
-        solid = self.tree("cylinder", {"op": "place", "translate": [4, 4, "11/10"], "of": {"op": "cylinder", "radius": 3, "height": 6}})
+        solid = self.volumes("cylinder", {"op": "place", "translate": [4, 4, "11/10"], "of": {"op": "cylinder", "radius": 3, "height": 6}})
         surface = self.folder / "surface.vjson"
         surface.write_text(cylinders.cylinder(4, 1, 7, radius=3, place=lambda p: (p[0], p[1] + 4, p[2] + Fraction(1, 10))))
         tiles = [self.micro("--model", file, counts="8,8,8")["tiles"] for file in (solid, surface)]
@@ -291,12 +285,12 @@ class MicroCommand(support.Folder):
         self.assertIn("is not between", report["defects"][0]["message"])
 
     def test_arms_are_left_out_where_the_cage_is_collapsed(self):
-        cone = self.tree("cone", {"op": "cone", "bottom": 2, "top": 0, "height": 3})
+        cone = self.volumes("cone", {"op": "cone", "bottom": 2, "top": 0, "height": 3})
         report = self.micro(cage=cone, counts="2,2,2")
         self.assertEqual((report["tiles"]["total"], report["kinds"], report["components"]), (40, 2, 1))
 
     def test_a_torus_is_glued_to_itself(self):
-        torus = self.tree("torus", {"op": "torus", "major": 3, "minor": 1})
+        torus = self.volumes("torus", {"op": "torus", "major": 3, "minor": 1})
         report = self.micro(cage=torus, counts="2,2,6")
         self.assertEqual((report["tiles"]["total"], report["components"]), (5 * 24, 1))
 
@@ -317,7 +311,7 @@ class MicroCommand(support.Folder):
         self.assertEqual(self.micro(tile="jack,node=1/20,cap=9/20", expect=1)["defects"][0]["code"], "F3")
 
     def test_meshes_are_solids_with_the_numbers_of_the_microstructure(self):
-        torus = self.tree("torus", {"op": "torus", "major": 3, "minor": 1})
+        torus = self.volumes("torus", {"op": "torus", "major": 3, "minor": 1})
         for ending in ("ply", "stl", "obj", "off"):
             mesh = self.folder / f"m.{ending}"
             report = self.micro("--mesh", mesh, "--chord", "0.05", cage=torus, counts="1,1,4")

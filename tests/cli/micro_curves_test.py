@@ -30,10 +30,8 @@ def box_off(low, high):
 class MicroCurves(support.Folder):
     def setUp(self):
         super().setUp()
-        tree = self.folder / "box.json"
-        self.cage, self.model, self.out = self.folder / "box.vjson", self.folder / "model.off", self.folder / "curves.vjson"
-        tree.write_text(json.dumps({"format": "veritope-tree-1", "root": {"op": "box", "min": [0, 0, 0], "max": [4, 4, 4]}}))
-        self.assertEqual(run("build", tree, "-o", self.cage).returncode, 0)
+        self.cage = self.volumes("box", {"op": "box", "min": [0, 0, 0], "max": [4, 4, 4]})
+        self.model, self.out = self.folder / "model.off", self.folder / "curves.vjson"
         self.model.write_text(box_off((0.5, 0.5, 0.5), (3.5, 3.25, 3.5)))
 
     def micro(self, *arguments, tile="curves3", counts="4,4,4"):

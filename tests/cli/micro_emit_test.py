@@ -18,13 +18,7 @@ class MicroEmit(support.Folder):
     def setUp(self):
         super().setUp()
         self.out = self.folder / "out.vmicro"
-        self.box = self.build("box", {"op": "box", "min": [0, 0, 0], "max": [2, 3, 4]})
-
-    def build(self, name, root):
-        tree, volumes = self.folder / f"{name}.json", self.folder / f"{name}.vjson"
-        tree.write_text(json.dumps({"format": "veritope-tree-1", "root": root}))
-        self.assertEqual(run("build", tree, "-o", volumes).returncode, 0)
-        return volumes
+        self.box = self.volumes("box", {"op": "box", "min": [0, 0, 0], "max": [2, 3, 4]})
 
     def command(self, *arguments, cage=None, counts="2,1,1", tile="jack,degree=1"):
         return ["micro", "--cage", cage or self.box, "--tile", tile, "--counts", counts, "-o", self.out, *arguments]
@@ -37,7 +31,7 @@ class MicroEmit(support.Folder):
         return report
 
     def test_the_composed_surface_is_certified_and_has_the_numbers_of_the_structure(self):
-        cone = self.build("cone", {"op": "cone", "bottom": 2, "top": 1, "height": 3})
+        cone = self.volumes("cone", {"op": "cone", "bottom": 2, "top": 1, "height": 3})
         for cage, counts, thickness in ((self.box, "2,1,2", ()), (self.box, "2,1,1", ("--thickness", "1/8+x/40")), (cone, "1,1,1", ())):
             path = self.folder / "surface.vjson"
             report = self.emit(path, *thickness, cage=cage, counts=counts)

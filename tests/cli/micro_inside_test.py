@@ -28,9 +28,7 @@ class MicroInside(support.Folder):
     def setUp(self):
         super().setUp()
         self.out, self.solid, self.certificate = (self.folder / name for name in ("out.vmicro", "solid.off", "out.cert"))
-        tree, cage = self.folder / "box.json", self.folder / "box.vjson"
-        tree.write_text(json.dumps({"format": "veritope-tree-1", "root": {"op": "box", "min": [0, 0, 0], "max": [8, 8, 8]}}))
-        self.assertEqual(run("build", tree, "-o", cage).returncode, 0)
+        cage = self.volumes("box", {"op": "box", "min": [0, 0, 0], "max": [8, 8, 8]})
         done = run("micro", "--cage", cage, "--tile", "jack,degree=1", "--counts", "4,4,4", "-o", self.out)
         self.assertEqual(done.returncode, 0, done)
 

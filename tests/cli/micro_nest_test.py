@@ -13,13 +13,7 @@ class MicroNest(support.Folder):
     def setUp(self):
         super().setUp()
         self.out = self.folder / "out.vmicro"
-        self.box = self.build("box", {"op": "box", "min": [0, 0, 0], "max": [2, 3, 4]})
-
-    def build(self, name, root):
-        tree, volumes = self.folder / f"{name}.json", self.folder / f"{name}.vjson"
-        tree.write_text(json.dumps({"format": "veritope-tree-1", "root": root}))
-        self.assertEqual(run("build", tree, "-o", volumes).returncode, 0)
-        return volumes
+        self.box = self.volumes("box", {"op": "box", "min": [0, 0, 0], "max": [2, 3, 4]})
 
     def micro(self, *arguments, cage=None, counts="2,1,1", tile="jack,degree=1"):
         return run("micro", "--cage", cage or self.box, "--tile", tile, "--counts", counts, "-o", self.out, *arguments)
@@ -60,7 +54,7 @@ class MicroNest(support.Folder):
         self.assertAlmostEqual(inner["density"]["lo"] * whole["lo"], inner["volume"]["lo"], places=6)
 
     def test_curved_cages_graded_arms_and_mixed_tiles_are_certified(self):
-        cone = self.build("cone", {"op": "cone", "bottom": 2, "top": 1, "height": 3})
+        cone = self.volumes("cone", {"op": "cone", "bottom": 2, "top": 1, "height": 3})
         for cage, counts, tile, arguments in ((cone, "1,1,1", "jack,degree=1", ("--nest", "jack:1,1,1")),
                                               (self.box, "2,1,1", "jack,degree=1", ("--thickness", "1/8+x/40", "--nest", "frame:1,2,1")),
                                               (self.box, "1,1,2", "branch", ("--nest", "jack,degree=1:2,1,1"))):

@@ -79,9 +79,7 @@ class MicroTiles(support.Folder):
     def setUp(self):
         super().setUp()
         self.out = self.folder / "out.vmicro"
-        tree, self.box = self.folder / "box.json", self.folder / "box.vjson"
-        tree.write_text(json.dumps({"format": "veritope-tree-1", "root": {"op": "box", "min": [0, 0, 0], "max": [8, 8, 8]}}))
-        self.assertEqual(run("build", tree, "-o", self.box).returncode, 0)
+        self.box = self.volumes("box", {"op": "box", "min": [0, 0, 0], "max": [8, 8, 8]})
 
     def file(self, name, text):
         path = self.folder / name

@@ -87,6 +87,14 @@ class Folder(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
         self.environment = {**os.environ, "TMPDIR": str(self.folder)}
 
+    def volumes(self, name, root):
+        """The file NAME.vjson of the volumes of a tree."""
+        tree, volumes = self.folder / f"{name}.json", self.folder / f"{name}.vjson"
+        tree.write_text(json.dumps({"format": "veritope-tree-1", "root": root}))
+        done = run("build", tree, "-o", volumes)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return volumes
+
     def listing(self):
         return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))
 

@@ -7,6 +7,7 @@
 
 #include "interval/box_geometry.h"
 #include "interval/upward.h"
+#include "solids/classify/triangle_bound.h"
 
 namespace veritope {
 namespace {
@@ -165,50 +166,6 @@ bool node_misses(const SkinFacets& skin, const VolumeSpace& volume, const Box3d&
   return true;
 }
 
-// The point of the facet that is nearest to p, as weights of its corners. Approximate.
-std::array<double, 3> nearest_weights(const Facet& facet, const Point3d& p) {
-  const Point3d a = {facet[0].x, facet[0].y, facet[0].z};
-  const Point3d e = minus_of(facet[1], facet[0]), f = minus_of(facet[2], facet[0]),
-                w = {p[0] - a[0], p[1] - a[1], p[2] - a[2]};
-  const double ee = dot_of(e, e), ef = dot_of(e, f), ff = dot_of(f, f), we = dot_of(w, e),
-               wf = dot_of(w, f), det = ee * ff - ef * ef;
-  const double s = (we * ff - wf * ef) / det, t = (wf * ee - we * ef) / det;
-  if (s >= 0 && t >= 0 && s + t <= 1) return {1 - s - t, s, t};
-  std::array<double, 3> best = {1, 0, 0};
-  double least = HUGE_VAL;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const Point3d side = minus_of(facet[j], facet[i]),
-                  way = {p[0] - facet[i].x, p[1] - facet[i].y, p[2] - facet[i].z};
-    const double x = std::clamp(dot_of(way, side) / dot_of(side, side), 0.0, 1.0);
-    Point3d off;
-    for (std::size_t c = 0; c < 3; ++c) off[c] = way[c] - x * side[c];
-    if (!(dot_of(off, off) < least)) continue;
-    least = dot_of(off, off);
-    best = {0, 0, 0};
-    best[i] = 1 - x;
-    best[j] = x;
-  }
-  return best;
-}
-
-// A bound of the distance of a point from the facet.
-double distance_bound(const Facet& facet, const Box3& p) {
-  std::array<double, 3> w = nearest_weights(facet, internal::approx_middle(p));
-  w[1] = std::clamp(w[1], 0.0, 1.0);
-  // So that the first weight, which is exact, is not negative.
-  w[2] = std::clamp(w[2], 0.0, (Interval(1.0) - Interval(w[1])).lo());
-  const Interval second(w[1]), third(w[2]),
-      first = intersection(Interval(1.0) - second - third, Interval::from_bounds(0, 1));
-  const auto at = [&](double x, double y, double z) {
-    return first * Interval(x) + second * Interval(y) + third * Interval(z);
-  };
-  const Box3 off =
-      p - Box3(at(facet[0].x, facet[1].x, facet[2].x), at(facet[0].y, facet[1].y, facet[2].y),
-               at(facet[0].z, facet[1].z, facet[2].z));
-  return sqrt(sqr(off[0]) + sqr(off[1]) + sqr(off[2])).hi();
-}
-
 // The least bound that holds for all points and one facet, if it is at most `most`.
 std::optional<double> bound_of(const SkinFacets& skin, const HullPoints& points, double most) {
   Box3d box = outer_box_of_points(points);
@@ -217,22 +174,17 @@ std::optional<double> bound_of(const SkinFacets& skin, const HullPoints& points,
     box.lo[c] -= most;
     box.hi[c] += most;
   }
+  const Box3 middle{Interval(centre[0]), Interval(centre[1]), Interval(centre[2])};
   std::vector<std::pair<double, std::uint32_t>> near;
-  skin.visit(box, [&](std::uint32_t f) {
-    const Facet& facet = skin.corners(f);
-    const auto w = nearest_weights(facet, centre);
-    const Point3d off = {w[0] * facet[0].x + w[1] * facet[1].x + w[2] * facet[2].x - centre[0],
-                         w[0] * facet[0].y + w[1] * facet[1].y + w[2] * facet[2].y - centre[1],
-                         w[0] * facet[0].z + w[1] * facet[1].z + w[2] * facet[2].z - centre[2]};
-    near.emplace_back(dot_of(off, off), f);
-  });
+  skin.visit(
+      box, [&](std::uint32_t f) { near.emplace_back(distance_bound(middle, skin.corners(f)), f); });
   const std::size_t n = std::min(kTriedFacets, near.size());
   std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(n), near.end());
   std::optional<double> best;
   for (std::size_t i = 0; i < n; ++i) {
     double worst = 0;
     for (const Box3& p : points) {
-      worst = std::max(worst, distance_bound(skin.corners(near[i].second), p));
+      worst = std::max(worst, distance_bound(p, skin.corners(near[i].second)));
       if (!(worst <= most)) break;
     }
     if (worst <= most && (!best || worst < *best)) best = worst;

@@ -13,6 +13,10 @@ struct BridgeChoice {
   bool is_wanted = true;
   double alpha = 0.5;
 
+  /// Whether an option asks for bridges. Without one they are built where they can be.
+  bool is_asked_for(bool has_skin) const {
+    return (is_given && is_wanted) || has_alpha || has_skin;
+  }
   /// Nothing, or what is wrong, as a sentence.
   std::string fault(bool has_model, bool has_skin) const;
 };

@@ -44,14 +44,14 @@ std::string take_nest(const std::string& text, std::optional<NestChoice>& nest) 
   return "";
 }
 
-std::string fault_of_nest(const std::vector<TileChoice>& tiles, bool is_doubled, bool has_bridge,
-                          bool has_alpha, bool has_skin) {
+std::string fault_of_nest(const std::vector<TileChoice>& tiles, bool is_doubled,
+                          bool asks_for_bridges) {
   const bool are_jacks = std::all_of(tiles.begin(), tiles.end(), [](const TileChoice& t) {
     return std::holds_alternative<JackShape>(t);
   });
   if (!are_jacks) return "--nest needs outer tiles that are made of volumes: jacks and branches";
   if (is_doubled) return "--nest and --double exclude each other";
-  if (has_bridge || has_alpha || has_skin)
+  if (asks_for_bridges)
     return "--nest builds no bridges: it excludes --bridge domain, --alpha and --skin";
   return "";
 }

@@ -23,8 +23,8 @@ struct NestChoice {
 std::string take_nest(const std::string& text, std::optional<NestChoice>& nest);
 
 /// Why these options exclude --nest, as a sentence; empty if they do not.
-std::string fault_of_nest(const std::vector<TileChoice>& tiles, bool is_doubled, bool has_bridge,
-                          bool has_alpha, bool has_skin);
+std::string fault_of_nest(const std::vector<TileChoice>& tiles, bool is_doubled,
+                          bool asks_for_bridges);
 
 /// The volumes of the tiles that the cells hold, as a cage.
 /// @param range  of the numbers of walls with which the tiles were made

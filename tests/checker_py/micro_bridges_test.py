@@ -315,17 +315,7 @@ class BoxesTest(Judged):
     def test_f3(self):
         tile, proof = bridged.voxels_proved(5, tuple(bridged.U_SHAPE))
         entities = bridged.surfaces_of(tile)
-
-        class Split(bridged.forge2.Plan2):
-            def __init__(self, given, unit):
-                super().__init__(given, unit)
-                for axes in self.breaks:
-                    for axis in axes:
-                        axis.insert(1, Q(1, 2))
-
-        class Prover(bridged.forge2.Prover2):
-            plan_kind = Split
-        self.dies_by("F3", self.plan(bridged.Boxes(Prover(entities, search=True).prove().plan), tile))
+        self.dies_by("F3", self.plan(bridged.Boxes(bridged.SplitProver(entities, search=True).prove().plan), tile))
         apart = bridged.voxel_tile(7, [(1, 1, 1), (5, 5, 5)])
         self.judged("F3", self.plan(bridged.boxes_of(apart), apart))
         self.judged("ACCEPT", self.plan(bridged.boxes_of(apart), apart), ("F3", "W3"))

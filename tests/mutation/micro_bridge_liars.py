@@ -265,18 +265,6 @@ def flipped_bits(rng):
 
 # ---------------------------------------------------------------- tiles by star boxes
 
-class Split(bridged.forge2.Plan2):
-    def __init__(self, given, unit):
-        super().__init__(given, unit)
-        for axes in self.breaks:
-            for axis in axes:
-                axis.insert(1, Q(1, 2))
-
-
-class SplitProver(bridged.forge2.Prover2):
-    plan_kind = Split
-
-
 def inside_out(voxels):
     tile = bridged.voxel_tile(5, voxels)
     tile.quads = [quad[::-1] for quad in tile.quads]
@@ -297,7 +285,7 @@ def boxed(kind):
         return examples.jack(grows=Q(1, 8)), bridged.boxes_of(examples.jack(grows=Q(0))), 1, 0
     tile, proof = bridged.voxels_proved(5, tuple(bridged.U_SHAPE if kind in ("breaks", "U") else bridged.RING))
     if kind == "breaks":
-        proof = bridged.Boxes(SplitProver(bridged.surfaces_of(tile), search=True).prove().plan)
+        proof = bridged.Boxes(bridged.SplitProver(bridged.surfaces_of(tile), search=True).prove().plan)
     elif kind == "flags":
         tile = inside_out(bridged.RING)
         proof = bridged.boxes_of(tile, [1] * len(tile.quads))

@@ -29,16 +29,23 @@ def native():
     return name if known and "microstructure-1 " in known else ""
 
 
-class MicroMutationTest(unittest.TestCase):
+class Lying(unittest.TestCase):
+    """A run of `liars`, a module, against both checkers."""
+    liars = None
+
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        cls.run_ = liars.Run(attacks.parse(["--checker", native(), "--save", os.path.join(cls.folder.name, "failures")]))
+        cls.run_ = cls.liars.Run(attacks.parse(["--checker", native(), "--save", os.path.join(cls.folder.name, "failures")]))
 
     @classmethod
     def tearDownClass(cls):
         cls.run_.native.close()
         cls.folder.cleanup()
+
+
+class MicroMutationTest(Lying):
+    liars = liars
 
     def setUp(self):
         self.run_.failures.clear()
@@ -68,16 +75,8 @@ class MicroMutationTest(unittest.TestCase):
                     self.assertEqual(attacks.condition_of(*check(other.text(), other.certificate())), said, strategy)
 
 
-class InsideMutationTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.run_ = inside_liars.Run(attacks.parse(["--checker", native(), "--save", os.path.join(cls.folder.name, "failures")]))
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.run_.native.close()
-        cls.folder.cleanup()
+class InsideMutationTest(Lying):
+    liars = inside_liars
 
     def test_no_false_claim_is_accepted_and_every_condition_is_needed(self):
         for strategy, _ in inside_liars.STRATEGIES:

@@ -57,6 +57,20 @@ class Boxes:
         return b"\1" + forge.u32(len(made)) + made
 
 
+class Split(forge2.Plan2):
+    """Star boxes of patches that are cut at 1/2, which F3 forbids."""
+
+    def __init__(self, given, unit):
+        super().__init__(given, unit)
+        for axes in self.breaks:
+            for axis in axes:
+                axis.insert(1, Q(1, 2))
+
+
+class SplitProver(forge2.Prover2):
+    plan_kind = Split
+
+
 def surfaces_of(tile):
     found = []
     for _, (p, q), lists in tile.patches:

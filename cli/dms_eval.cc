@@ -121,8 +121,9 @@ RunCommand declare_dms_eval(OptionSet& set) {
                "a model .vdms, and points: three numbers a line; - is\nstandard input", 2);
   set.flag("--exact", o->is_exact, "write fractions p/q, not enclosures");
   set.flag("--gradient", o->with_gradient, "write derivatives, too; needs --json");
-  declare_json(set, o->json, "write values, tetrahedra and derivatives");
+  declare_json(set, o->json, "write values");
   declare_reading(set, o->reading);
+  set.hide("--as-indexed");
   set.rule([o] { return eval_contradiction(*o); });
   return [o](StandardOutput& out) { return DmsEvalRun(*o, out).run(); };
 }

@@ -112,6 +112,7 @@ RunCommand declare_dms_make(OptionSet& set) {
       "--control", "RULE", [o](const std::string& t) { return take_control(t, o->make.control); },
       "greville (default): the identity; edges: points on the\nedges of the tetrahedra");
   declare_reading(set, o->reading);
+  set.hide("--as-indexed");
   set.rule([o]() -> std::string {
     if (!o->output) return "-o OUT.vdms is required, the file of the model";
     return o->degree ? "" : "--degree N is required, from 1 to 9";

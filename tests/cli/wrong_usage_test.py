@@ -27,7 +27,7 @@ OPTIONS = [
     ("dms", 2, "dms needs one of: eval, make"),
     ("dms evla m.vdms p", 2, "dms has no evla, but: eval, make; did you mean eval?"),
     ("dms eval --exat m.vdms p", 2, "dms eval has no option --exat; did you mean --exact?"),
-    ("dms eval m.vdms p --degree 2", 2, "dms eval has no option --degree; it is one of dms make"),
+    ("dms eval m.vdms p --degree=2", 2, "dms eval has no option --degree; it is one of dms make"),
     ("dms eval m.vdms p --gradient", 2, "--gradient requires --json"),
     ("dms eval - p", 2, "M is a file, not standard input"),
     ("dms eval m.vdms", 2, "veritope dms eval M POINTS takes 2 files, and there is 1"),

@@ -35,7 +35,7 @@ inline DmsModel separated(const DmsModel& model) {
     });
   return out;
 }
-/// The same model with the Greville rule: the identity.
+/// The identity on the domain of the model, by the Greville rule.
 inline DmsModel identity_of(const DmsModel& model) {
   DmsModel out = model;
   set_control_by_rule(out, DmsControlRule::kGreville,

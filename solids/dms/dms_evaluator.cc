@@ -70,6 +70,12 @@ const SimplexFrame<Rational>* DmsTable::frame_of(const std::array<KnotNumber, 4>
 }
 
 const SimplexFrame<Rational>* DmsTable::frame(const KnotSet& set) {
+  const auto found = chosen_.find(set);
+  if (found != chosen_.end()) return found->second;
+  return chosen_.emplace(set, find_frame(set)).first->second;
+}
+
+const SimplexFrame<Rational>* DmsTable::find_frame(const KnotSet& set) {
   // The different knots: the last one of each corner, then the last but one of each, and so on.
   std::array<KnotNumber, KnotSet::kMaxSize> order{};
   std::size_t count = 0;

@@ -34,10 +34,12 @@ class DmsTable {
 
  private:
   const SimplexFrame<Rational>* frame_of(const std::array<KnotNumber, 4>& four);
+  const SimplexFrame<Rational>* find_frame(const KnotSet& set);
 
   DmsKnots knots_;
   std::array<const ExactPoint3*, 4 * kKnotsOfCorner> points_;
   std::unordered_map<std::uint32_t, std::optional<SimplexFrame<Rational>>> frames_;
+  std::unordered_map<KnotSet, const SimplexFrame<Rational>*, KnotSetHash> chosen_;
 };
 
 /// The answers about one point, for SimplexSplines.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_dms_laws.cc: --rounds N --seed S [--degree D]. The laws of simplex-spline solids (tests/support/dms_laws.h) at twelve points of
-// each of N random models of degrees up to D, 6 unless given: broken ones. One JSON line a figure.
+// bench/soak_dms_laws.cc: --rounds N --seed S [--degree D]. The laws of simplex-spline solids
+// (tests/support/dms_laws.h) at twelve points of each of N random models of degrees up to D, 6 unless given: broken
+// ones. One JSON line a figure.
 #include <cstdio>
 #include <string>
 

@@ -88,8 +88,8 @@ class OptionSet {
   /// reported.
   void rule(OptionRule rule) { rules_.push_back(std::move(rule)); }
 
-  /// One of the verbs of a command, exactly one of which must be given after its name, with options of its own: "veritope
-  /// dms eval". A command with verbs has no options. The set lives as long as this one.
+  /// One of the verbs of a command, exactly one of which must be given after its name, with options of its own:
+  /// "veritope dms eval". A command with verbs has no options. The set lives as long as this one.
   OptionSet& verb(const std::string& name, const std::string& summary);
   /// The number of the verb that was given, in the order of verb(); nothing before parsing.
   std::optional<std::size_t> chosen_verb() const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/read_dms_fuzz.cc: any bytes as a simplex-spline solid. What is read keeps all rules and is written in a canonical
-// form, which reads back as the same bytes; small models without defects have values that add up; what is refused has
-// a line.
+// fuzz/read_dms_fuzz.cc: any bytes as a simplex-spline solid. What is read keeps all rules and is written in a
+// canonical form, which reads back as the same bytes; small models without defects have values that add up; what is
+// refused has a line.
 #include <cstdint>
 #include <string>
 

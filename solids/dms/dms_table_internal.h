@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/dms_table_internal.h: the frames of one tetrahedron's knots, and which of their tetrahedra contain a point.
+// solids/dms/dms_table_internal.h: the frames of one tetrahedron's knots, and which of their tetrahedra contain a
+// point.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -22,9 +23,9 @@ class DmsTable {
       : knots_(knots), points_(points) {}
 
   const DmsKnots& knots() const { return knots_; }
-  /// Four affinely independent knots of the set; null if the set has no such four. If the last knots of the four corners
-  /// are independent they are chosen: what the recurrence leaves of V_γ are then the V of lesser γ, which the other γ
-  /// share, and few sets that lack a corner.
+  /// Four affinely independent knots of the set; null if the set has no such four. If the last knots of the four
+  /// corners are independent they are chosen: what the recurrence leaves of V_γ are then the V of lesser γ, which the
+  /// other γ share, and few sets that lack a corner.
   const SimplexFrame<Rational>* frame(const KnotSet& set);
   std::size_t num_frames() const { return frames_.size(); }
   std::array<const ExactPoint3*, 4> corners(const SimplexFrame<Rational>& frame) const {

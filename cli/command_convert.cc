@@ -156,11 +156,13 @@ ExitCode run(const ConvertOptions& options, StandardOutput& out) {
   if (options.pn) return convert_to_pn(input, options, out);
   if (kind == ModelKind::kSplines) return convert_splines(input, options, out);
   if (kind == ModelKind::kMicro) return convert_micro(input, options, out);
+  if (kind == ModelKind::kDms) return convert_dms(input, options, out);
   if (kind != ModelKind::kMesh)
-    return fail(Error{Code::kBadArgument,
-                      {},
-                      "convert writes meshes, splines and microstructures; " +
-                          options.input.files[0] + " is " + title_of(kind)});
+    return fail(
+        Error{Code::kBadArgument,
+              {},
+              "convert writes meshes, splines, microstructures and simplex-spline solids; " +
+                  options.input.files[0] + " is " + title_of(kind)});
   if (options.chord) return fail(bad_argument("--chord is for splines"));
   if (options.faces) return fail(bad_argument("--faces is for splines"));
   if (options.rejoin) return fail(bad_argument("--rejoin is for splines"));
@@ -186,7 +188,7 @@ ExitCode run(const ConvertOptions& options, StandardOutput& out) {
 }
 
 void declare(OptionSet& set, ConvertOptions& o) {
-  declare_file(set, "IN", o.input, "mesh, splines or vmicro; - is standard input (--format)");
+  declare_file(set, "IN", o.input, "mesh, splines, vmicro or vdms; - is standard input");
   const auto take_output = [&o](const std::string& path) -> std::string {
     o.output = output_name(path);
     return "";
@@ -194,7 +196,7 @@ void declare(OptionSet& set, ConvertOptions& o) {
   set.operand("OUT", take_output, "the new file; - is standard output (with --to)");
   set.text("--to", o.to,
            "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; "
-           "vmicro; to see: vtu, obj, gltf",
+           "vmicro; vdms; vtu, obj, gltf",
            "V");
   set.length("--chord", "H", o.chord, "splines in obj, gltf: the distance of chords to aim at");
   set.flag("--float", o.single_precision, "binary PLY with binary32 coordinates");

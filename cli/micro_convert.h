@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/micro_convert.h: veritope convert for microstructures: they are written in their canonical form.
+// cli/micro_convert.h: veritope convert for microstructures and simplex-spline solids: they are written in their
+// canonical form.
 #pragma once
 #include "cli/convert_options.h"
 #include "cli/model_input.h"
@@ -12,5 +13,7 @@ using namespace report;
 
 /// REQUIRES input.kind() == ModelKind::kMicro.
 ExitCode convert_micro(ModelInput& input, const ConvertOptions& options, StandardOutput& out);
+/// REQUIRES input.kind() == ModelKind::kDms.
+ExitCode convert_dms(ModelInput& input, const ConvertOptions& options, StandardOutput& out);
 
 }  // namespace veritope::cli

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "io/base/scan.h"
+#include "io/dms/write_dms.h"
 #include "io/foreign_content.h"
 #include "io/itd_polygons.h"
 #include "io/mesh/sniff.h"
@@ -94,6 +95,15 @@ ModelFormat micro() {
           write_file};
 }
 
+ModelFormat dms() {
+  const auto write_file = [](const ModelFile& file, const ReadLimits&) -> Result<std::string> {
+    return write_dms(std::get<DmsFile>(file).model);
+  };
+  return {
+      DmsFormat::kDms, "vdms",    {"vdms"}, looks_like_dms, read_with<DmsFormat::kDms, read_dms>,
+      binary_guess,    write_file};
+}
+
 // The table. Meshes come first: content that looks like both a mesh and splines is read as a mesh.
 const std::vector<ModelFormat>& rows() {
   static const std::vector<ModelFormat> table = {
@@ -107,6 +117,7 @@ const std::vector<ModelFormat>& rows() {
       splines<SplineFormat::kGismo>({"gismo", "xml"}, looks_like_gismo),
       splines<SplineFormat::kJson>({"vjson", "json"}, looks_like_spline_json),
       micro(),
+      dms(),
   };
   return table;
 }

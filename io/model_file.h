@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "io/base/read_limits.h"
+#include "io/dms/read_dms.h"
 #include "io/mesh/read_mesh.h"
 #include "io/micro/read_micro.h"
 #include "io/splines/read_splines.h"
@@ -17,16 +18,16 @@ namespace veritope {
 // order, and nothing else in this file or in io/model_file.cc (docs/how-to/add-a-solid.md).
 
 /// What a file holds.
-enum class ModelKind { kMesh, kSplines, kMicro };
+enum class ModelKind { kMesh, kSplines, kMicro, kDms };
 
 /// The content of a file of a model. Each alternative has
 ///  - kTitle, the kind in sentences: "a mesh";
 ///  - format and bytes, the number of bytes that were read (meshes have both in their ReadReport);
 ///  - sha256, seconds_read, seconds_parse and seconds_hash, which the front door fills.
-using ModelFile = std::variant<MeshFile, SplineFile, MicroFile>;
+using ModelFile = std::variant<MeshFile, SplineFile, MicroFile, DmsFile>;
 
 /// A format, typed by its kind.
-using FormatId = std::variant<MeshFormat, SplineFormat, MicroFormat>;
+using FormatId = std::variant<MeshFormat, SplineFormat, MicroFormat, DmsFormat>;
 
 /// The kind in sentences: "a mesh", "a file of splines".
 const char* title_of(ModelKind kind);

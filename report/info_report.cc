@@ -59,6 +59,49 @@ std::string micro_lines(const Microstructure& micro) {
   return out;
 }
 
+struct DmsCounts {
+  std::uint64_t knots = 0;
+  std::uint64_t collapsed = 0;  // clouds
+};
+
+DmsCounts counts_of(const DmsModel& model) {
+  DmsCounts out;
+  for (const DmsCloud& cloud : model.clouds) {
+    out.knots += cloud.size();
+    out.collapsed += cloud.size() == 1 ? 1 : 0;
+  }
+  return out;
+}
+
+void put_dms(const DmsModel& model, Json& out) {
+  const DmsCounts counts = counts_of(model);
+  out["degree"] = model.degree;
+  out["attributes"] = model.attributes;
+  out["control"] = model.control.is_separate ? "separate" : "shared";
+  out["counts"] = {{"vertices", model.clouds.size()},
+                   {"knots", counts.knots},
+                   {"collapsed", counts.collapsed},
+                   {"tetrahedra", model.tetrahedra.size()},
+                   {"control_points", model.num_control()}};
+}
+
+std::string dms_lines(const DmsModel& model) {
+  const DmsCounts counts = counts_of(model);
+  std::string names;
+  for (const std::string& name : model.attributes)
+    names += (names.empty() ? "" : ", ") + harmless(name);
+  std::string out =
+      detail_line("domain", counted(model.tetrahedra.size(), "tetrahedron", "tetrahedra") + ", " +
+                                counted(model.clouds.size(), "vertex", "vertices") + ", " +
+                                counted(counts.knots, "knot", "knots") + ", " +
+                                counted(counts.collapsed, "cloud", "clouds") + " collapsed");
+  out += detail_line("map", "degree " + std::to_string(model.degree) + ", " +
+                                counted(model.num_control(), "control point", "control points") +
+                                (model.control.is_separate ? ", separate" : ", shared"));
+  if (!names.empty()) out += detail_line("attributes", names);
+  return out;
+}
+
 // The facts that a file of every kind has.
 std::string plain_json(const InfoReport& report, const ModelFile& file) {
   Json out;
@@ -69,16 +112,19 @@ std::string plain_json(const InfoReport& report, const ModelFile& file) {
   out["exit"] = static_cast<int>(report.exit);
   out["error"] = fault_json(report.fault);
   if (const auto* const micro = std::get_if<MicroFile>(&file)) put_micro(micro->micro, out);
+  if (const auto* const dms = std::get_if<DmsFile>(&file)) put_dms(dms->model, out);
   return dump(out);
 }
 
 std::string plain_text(const InfoReport& report, const ModelFile& file, const Style& style) {
   const std::string format = model_format(format_of(file)).name;
   const auto* const micro = std::get_if<MicroFile>(&file);
+  const auto* const dms = std::get_if<DmsFile>(&file);
   return style.bold(unbroken(shown_path(report.path))) + "\n" +
          detail_line("file", format + ", " + counted(num_bytes(file), "byte", "bytes")) +
          detail_line("sha256", sha256_of(file)) + detail_line("model", title_of(kind_of(file))) +
          (micro != nullptr ? micro_lines(micro->micro) : "") +
+         (dms != nullptr ? dms_lines(dms->model) : "") +
          style.dim("  Whether it bounds a solid: veritope certify FILE") + "\n";
 }
 

@@ -11,6 +11,7 @@ namespace veritope::internal {
 Result<Certified> certify_kind(const MeshFile& file, const CertifyOptions& options);
 Result<Certified> certify_kind(const SplineFile& file, const CertifyOptions& options);
 Result<Certified> certify_kind(const MicroFile& file, const CertifyOptions& options);
+Result<Certified> certify_kind(const DmsFile& file, const CertifyOptions& options);
 
 inline void enter(Phase phase, const CertifyOptions& options) {
   if (options.on_phase) options.on_phase(phase);

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "io/dms/read_dms.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/splines/spline_json_lexer.h"
+#include "io/splines/spline_sniff.h"
+#include "solids/dms/dms_validity.h"
+
+namespace veritope {
+namespace {
+
+constexpr std::string_view kDmsFormatName = "veritope-dms-1";
+
+class DmsReader : SplineJsonLexer {
+ public:
+  using SplineJsonLexer::SplineJsonLexer;
+  using SplineTextReader::take_error;
+
+  bool read();
+  DmsFile take() {
+    DmsFile file;
+    file.model = std::move(dms_);
+    file.bytes = source_.size();
+    file.beyond_default_limits = SplineTextReader::take().beyond_default_limits;
+    return file;
+  }
+
+ private:
+  bool read_member(std::size_t key);
+  bool read_format();
+  bool read_degree();
+  bool read_attributes();
+  bool read_clouds();
+  bool read_tetrahedra();
+  bool read_control();
+  bool read_entry();
+  bool check_entry(const char* at, bool has_at, bool has_tetrahedron, bool has_beta);
+  bool set_control(const char* at);
+
+  bool read_coordinate(Rational& number) {
+    skip();
+    const char* const at = p_;
+    return read_exact(number) && accept(at, check_dms_number(number));
+  }
+  // Reads digits without a sign, up to `most`.
+  bool read_natural(const char* what, std::uint64_t most, std::uint64_t& value);
+  // Reads a list that must have `count` items; `what` names it: "a value".
+  template <typename Item>
+  bool read_counted(const char* what, std::size_t count, Item item);
+  // Reads a list of so many natural numbers up to `most` and appends them.
+  bool read_naturals(const char* what, std::size_t count, std::uint64_t most,
+                     std::vector<std::uint32_t>& into);
+  // Whether the items of a list, `count` with the one at the cursor, are at most so many.
+  bool is_within(std::size_t count, std::size_t most, const char* what) {
+    return count <= most ||
+           fail(p_, Code::kOverLimit, "more than " + std::to_string(most) + " " + what);
+  }
+  // Passes on what a part lacks, with the line of the part.
+  bool accept(const char* at, const Status& status) {
+    return status.has_value() || fail_with(at, status.error());
+  }
+
+  DmsModel dms_;
+  DmsEntries entries_;
+  std::vector<const char*> clouds_at_, entries_at_;
+};
+
+bool DmsReader::read() {
+  const std::initializer_list<std::string_view> keys = {
+      "format", "degree", "attributes", "vertices", "tetrahedra", "control", "attribute_domain"};
+  std::size_t next = 0;
+  const bool ok = read_object(
+      keys,
+      [&](std::size_t key) {
+        if (key == next) {
+          ++next;
+          return read_member(key);
+        }
+        const std::size_t first = std::min(next, key), second = key < next ? next - 1 : key;
+        return fail(p_, Code::kSyntax,
+                    "the key " + quoted(keys.begin()[first]) + " must come before the key " +
+                        quoted(keys.begin()[second]));
+      },
+      1);
+  return ok && (is_at_end() || fail_expected("the end of the file"));
+}
+
+bool DmsReader::read_member(std::size_t key) {
+  switch (key) {
+    case 0: return read_format();
+    case 1: return read_degree();
+    case 2: return read_attributes();
+    case 3: return read_clouds();
+    case 4: return read_tetrahedra();
+    case 5: return read_control();
+    default:
+      return fail(p_, Code::kSyntax,
+                  "attributes over a domain of their own ('attribute_domain') are not read yet");
+  }
+}
+
+bool DmsReader::read_format() {
+  skip();
+  const char* const at = p_;
+  std::string format;
+  if (!read_string(format)) return false;
+  return format == kDmsFormatName ||
+         fail(at, Code::kUnknownFormat,
+              "the format must be 'veritope-dms-1', not " + quoted(format));
+}
+
+bool DmsReader::read_degree() {
+  skip();
+  const char* const at = p_;
+  std::uint64_t degree = 0;
+  if (!read_natural("the degree", kMaxDmsDegree, degree)) return false;
+  dms_.degree = static_cast<int>(degree);
+  return accept(at, check_dms_degree(degree));
+}
+
+bool DmsReader::read_attributes() {
+  return read_list([this] {
+    skip();
+    const char* const at = p_;
+    return is_within(dms_.attributes.size() + 1, kMaxDmsAttributes, "attributes") &&
+           read_string(dms_.attributes.emplace_back()) &&
+           accept(at, check_dms_attribute(dms_, dms_.attributes.size() - 1));
+  });
+}
+
+bool DmsReader::read_clouds() {
+  skip();
+  const char* const start = p_;
+  const bool ok = read_list([this] {
+    skip();
+    const char* const at = p_;
+    if (!is_within(dms_.clouds.size() + 1, kMaxDmsVertices, "vertices")) return false;
+    clouds_at_.push_back(at);
+    DmsCloud& cloud = dms_.clouds.emplace_back();
+    return read_list([&] {
+             if (!is_within(cloud.size() + 1, static_cast<std::size_t>(dms_.degree) + 1,
+                            "knots of a vertex"))
+               return false;
+             DmsPoint& knot = cloud.emplace_back();
+             return read_counted("a knot", 3,
+                                 [&](std::size_t c) { return read_coordinate(knot[c]); });
+           }) &&
+           accept(at, check_dms_cloud(dms_, dms_.clouds.size() - 1));
+  });
+  return ok && (dms_.clouds.size() >= 4 || fail(start, Code::kSyntax,
+                                                "there are " + std::to_string(dms_.clouds.size()) +
+                                                    " vertices, fewer than 4"));
+}
+
+bool DmsReader::read_tetrahedra() {
+  skip();
+  const char* const start = p_;
+  std::vector<std::uint32_t> corners;
+  const bool ok = read_list([&] {
+    skip();
+    const char* const at = p_;
+    if (!is_within(dms_.tetrahedra.size() + 1, kMaxDmsTetrahedra, "tetrahedra")) return false;
+    corners.clear();
+    if (!read_naturals("a tetrahedron", 4, kMaxDmsVertices - 1, corners)) return false;
+    dms_.tetrahedra.push_back({corners[0], corners[1], corners[2], corners[3]});
+    return accept(at, check_dms_tetrahedron(dms_, dms_.tetrahedra.size() - 1));
+  });
+  return ok && (!dms_.tetrahedra.empty() || fail(start, Code::kSyntax, "there are 0 tetrahedra"));
+}
+
+bool DmsReader::read_control() {
+  skip();
+  const char* const start = p_;
+  return read_list([this] { return read_entry(); }) && set_control(start);
+}
+
+bool DmsReader::read_entry() {
+  skip();
+  const char* const at = p_;
+  bool has_at = false, has_tetrahedron = false, has_beta = false;
+  std::vector<std::uint32_t> vertices, tetrahedron, beta;
+  entries_at_.push_back(at);
+  const bool ok = read_object(
+      {"value", "at", "tetrahedron", "beta"},
+      [&](std::size_t key) {
+        std::uint64_t number = 0;
+        switch (key) {
+          case 0:
+            return read_counted("a value", dms_.num_components(), [this](std::size_t) {
+              return read_coordinate(entries_.values.emplace_back());
+            });
+          case 1:
+            has_at = true;
+            return read_naturals("the place of a control point",
+                                 static_cast<std::size_t>(dms_.degree), kMaxDmsVertices - 1,
+                                 vertices);
+          case 2:
+            has_tetrahedron = true;
+            if (!read_natural("the tetrahedron of a control point", kMaxDmsTetrahedra - 1, number))
+              return false;
+            tetrahedron.push_back(static_cast<std::uint32_t>(number));
+            return true;
+          default: has_beta = true; return read_naturals("beta", 4, kMaxDmsDegree, beta);
+        }
+      },
+      3);
+  if (!ok || !check_entry(at, has_at, has_tetrahedron, has_beta)) return false;
+  for (const auto* const part : {&vertices, &tetrahedron, &beta})
+    entries_.keys.insert(entries_.keys.end(), part->begin(), part->end());
+  return accept(at, check_dms_key(dms_, entries_, entries_at_.size() - 1));
+}
+
+// Whether the keys are those of one kind, and the kind is that of the entries before.
+bool DmsReader::check_entry(const char* at, bool has_at, bool has_tetrahedron, bool has_beta) {
+  if (has_at && (has_tetrahedron || has_beta))
+    return fail(at, Code::kSyntax,
+                "a control point has the key 'at', or the keys 'tetrahedron' and 'beta', not both");
+  if (!has_at && (!has_tetrahedron || !has_beta))
+    return fail(at, Code::kSyntax,
+                std::string("the key ") +
+                    (has_beta          ? "'tetrahedron'"
+                     : has_tetrahedron ? "'beta'"
+                                       : "'at'") +
+                    " is missing");
+  if (entries_at_.size() == 1) entries_.are_separate = !has_at;
+  return entries_.are_separate == !has_at ||
+         fail(at, Code::kSyntax,
+              "control points must all be shared or all be separate, as the first one is");
+}
+
+bool DmsReader::set_control(const char* at) {
+  if (entries_.are_separate)
+    if (const Status status = check_separate_clouds(dms_); !status)
+      return accept(clouds_at_[status.error().place.entity.value_or(0)], status);
+  const Status status = set_dms_control(dms_, std::move(entries_));
+  if (status) return true;
+  const auto entry = status.error().place.entity;
+  return accept(entry ? entries_at_[*entry] : at, status);
+}
+
+bool DmsReader::read_natural(const char* what, std::uint64_t most, std::uint64_t& value) {
+  constexpr std::size_t kMostDigits = 18;
+  const std::string_view token = peek();
+  const bool is_integer = !token.empty() && std::all_of(token.begin(), token.end(), is_digit) &&
+                          (token.size() == 1 || token[0] != '0');
+  const std::string range =
+      std::string(what) + " must be an integer from 0 to " + std::to_string(most) + ", not ";
+  if (token.empty()) return fail_expected(what);
+  if (!is_integer) return fail(p_, Code::kSyntax, range + quoted(token));
+  value = 0;
+  if (token.size() <= kMostDigits)
+    for (const char c : token) value = 10 * value + static_cast<std::uint64_t>(c - '0');
+  if (token.size() > kMostDigits || value > most)
+    return fail(p_, Code::kOverLimit, range + quoted(token));
+  p_ += token.size();
+  return true;
+}
+
+template <typename Item>
+bool DmsReader::read_counted(const char* what, std::size_t count, Item item) {
+  skip();
+  const char* const at = p_;
+  std::size_t i = 0;
+  const auto wrong = [&](const std::string& has) {
+    return fail(at, Code::kSyntax,
+                std::string(what) + " must have " + std::to_string(count) + " numbers, not " + has);
+  };
+  const bool ok = read_list([&] {
+    if (i == count) return wrong("more");
+    return item(i++);
+  });
+  return ok && (i == count || wrong(std::to_string(i)));
+}
+
+bool DmsReader::read_naturals(const char* what, std::size_t count, std::uint64_t most,
+                              std::vector<std::uint32_t>& into) {
+  const std::string item = std::string("a number of ") + what;
+  return read_counted(what, count, [&](std::size_t) {
+    std::uint64_t n = 0;
+    if (!read_natural(item.c_str(), most, n)) return false;
+    into.push_back(static_cast<std::uint32_t>(n));
+    return true;
+  });
+}
+
+}  // namespace
+
+bool looks_like_dms(const Source& source) { return starts_with_format(source, kDmsFormatName); }
+
+Result<DmsFile> read_dms(DmsFormat format, const Source& source, const ReadLimits& limits) {
+  DmsReader reader(source, limits);
+  if (!reader.read()) return reader.take_error();
+  DmsFile file = reader.take();
+  file.format = format;
+  return file;
+}
+
+}  // namespace veritope

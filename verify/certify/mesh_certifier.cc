@@ -2,6 +2,7 @@
 #include "verify/certify/mesh_certifier.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "predicates/orient2d.h"
@@ -11,11 +12,14 @@
 #include "robust/base/parallel.h"
 #include "solids/polyhedron/box_order.h"
 #include "solids/polyhedron/box_tree.h"
+#include "solids/polyhedron/broad_phase.h"
 #include "solids/polyhedron/defects.h"
 #include "solids/polyhedron/facet_signs.h"
 #include "solids/polyhedron/separator.h"
 #include "verify/certify/natural.h"
 #include "verify/certify/pair_codes.h"
+#include "verify/certify/pair_walk.h"
+#include "verify/certify/quick_codes.h"
 
 namespace veritope {
 namespace {
@@ -34,24 +38,29 @@ struct PartWitness {
   std::vector<std::uint8_t> codes;
 };
 
-struct CertifyingWalk {
+void add_codes(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b,
+               std::vector<std::uint8_t>& out) {
+  if (const auto quick = quick_pair_code(mesh, a, b)) return out.push_back(*quick);
+  const auto codes = find_pair_codes(mesh, a, b);
+  VT_CHECK(!codes.empty(), "no axes for a proper pair of facets");
+  out.insert(out.end(), codes.begin(), codes.end());
+}
+
+struct SeparatingWalk {
   const TriangleMesh& mesh;
   const BoxTree& tree;
-  bool with_separators;
   SeparatorFinder finder;
   PartWitness out;
 
   bool stop() const { return false; }
   bool node_pair(const TreeRange& a, const TreeRange& b, std::uint64_t k) {
-    if (!with_separators || !is_worth_separating(a, b)) return false;
+    if (!is_worth_separating(a, b)) return false;
     const auto d = finder.find(tree.facets(a), tree.facets(b));
     if (d) out.separators.push_back({k, *d});
     return d.has_value();
   }
   void leaf_pair(std::uint32_t i, std::uint32_t j) {
-    const auto codes = find_pair_codes(mesh, tree.order()[i], tree.order()[j]);
-    VT_CHECK(!codes.empty(), "no axes for a proper pair of facets");
-    out.codes.insert(out.codes.end(), codes.begin(), codes.end());
+    add_codes(mesh, tree.order()[i], tree.order()[j], out.codes);
   }
 };
 
@@ -61,13 +70,61 @@ std::vector<std::uint32_t> all_facets(const TriangleMesh& mesh) {
   return out;
 }
 
+bool boxes_meet(const TriangleMesh& mesh, std::uint32_t f, std::uint32_t g) {
+  std::array<Box3d, 2> box;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& t = mesh.faces[k == 0 ? f : g];
+    box[k].lo = box[k].hi = to_point(mesh.positions[t[0]]);
+    add(to_point(mesh.positions[t[1]]), &box[k]);
+    add(to_point(mesh.positions[t[2]]), &box[k]);
+  }
+  return meets(box[0], box[1]);
+}
+
+// The leaf pairs that the walk without separators meets, in its order: those whose boxes meet and that have no star
+// vertex in common, because then no nodes above them are apart or have one. The boxes of the groups are rounded.
+std::vector<LeafPair> leaf_pairs(const TriangleMesh& mesh, const ValidityReport& report,
+                                 const std::vector<std::uint32_t>& order, unsigned jobs,
+                                 WorkShare* work) {
+  const BoxGroups boxes(mesh, order, report.stars, UnitScale(report.box), jobs);
+  std::vector<std::uint32_t> position(order.size());
+  for (std::uint32_t p = 0; p < order.size(); ++p) position[order[p]] = p;
+  std::vector<std::vector<LeafPair>> found(boxes.num_tasks());
+  const auto take = [&](std::size_t task, std::span<const FacetPair> pairs) {
+    for (const auto& [f, g] : pairs)
+      if (boxes_meet(mesh, f, g)) found[task].push_back(std::minmax(position[f], position[g]));
+  };
+  boxes.for_each_overlap(std::numeric_limits<std::uint64_t>::max(), jobs, take, work);
+  std::vector<LeafPair> out;
+  for (std::vector<LeafPair>& pairs : found) {
+    out.insert(out.end(), pairs.begin(), pairs.end());
+    pairs = {};
+  }
+  VT_CHECK(out.size() <= 0xffffffffu, "pairs of facets that are not long and thin");
+  sort_as_walked(static_cast<std::uint32_t>(order.size()), out);
+  return out;
+}
+
+void add_pairs(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs,
+               WorkShare* work, ValidBody& body) {
+  constexpr std::size_t kPairsInChunk = 8192;
+  body.order = morton_order(mesh, all_facets(mesh), UnitScale(report.box), jobs);
+  const std::vector<LeafPair> pairs = leaf_pairs(mesh, report, body.order, jobs, work);
+  std::vector<std::vector<std::uint8_t>> codes(num_chunks(pairs.size(), kPairsInChunk));
+  WorkStep step(work, static_cast<double>(codes.size()));
+  parallel_for(pairs.size(), kPairsInChunk, jobs,
+               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                 for (std::size_t n = begin; n < end; ++n)
+                   add_codes(mesh, body.order[pairs[n].first], body.order[pairs[n].second],
+                             codes[chunk]);
+                 step.add(1);
+               });
+  for (const auto& some : codes) body.codes.insert(body.codes.end(), some.begin(), some.end());
+}
+
 void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs,
               WorkShare* work, ValidBody& body) {
-  const auto facets = all_facets(mesh);
-  const BoxTree tree(mesh,
-                     report.long_thin ? median_order(mesh, facets, jobs)
-                                      : morton_order(mesh, facets, UnitScale(report.box), jobs),
-                     report.stars, jobs);
+  const BoxTree tree(mesh, median_order(mesh, all_facets(mesh), jobs), report.stars, jobs);
   const auto parts = tree.parts();
   const double largest = largest_coordinate(mesh);
   std::vector<PartWitness> found(parts.size());
@@ -75,7 +132,7 @@ void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned j
   parallel_for(parts.size(), 1, jobs, [&](std::size_t k, std::size_t, std::size_t) {
     const std::size_t i =
         parts.size() - 1 - k;  // the longest parts are the last ones: they start first
-    CertifyingWalk walk{mesh, tree, report.long_thin, SeparatorFinder(mesh, largest), {}};
+    SeparatingWalk walk{mesh, tree, SeparatorFinder(mesh, largest), {}};
     walk.out.pairs = tree.walk(parts[i], walk);
     found[i] = std::move(walk.out);
     step.add(1);
@@ -98,7 +155,10 @@ ValidBody valid_body(const TriangleMesh& mesh, const ValidityReport& report, uns
   body.num_vertex_ids = static_cast<std::uint32_t>(mesh.positions.size());
   body.stars = report.stars.code;
   for (const auto& [vertex, direction] : report.stars.own) body.star_vectors.push_back(direction);
-  add_walk(mesh, report, jobs, work, body);
+  if (report.long_thin)
+    add_walk(mesh, report, jobs, work, body);
+  else
+    add_pairs(mesh, report, jobs, work, body);
   if (report.shells.size() > 1) body.nesting = report.nesting.axis_code;
   return body;
 }

@@ -2,7 +2,6 @@
 #include "verify/certify/mesh_certifier.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "predicates/orient2d.h"
@@ -12,14 +11,14 @@
 #include "robust/base/parallel.h"
 #include "solids/polyhedron/box_order.h"
 #include "solids/polyhedron/box_tree.h"
-#include "solids/polyhedron/broad_phase.h"
 #include "solids/polyhedron/defects.h"
+#include "solids/polyhedron/facet_meetings.h"
 #include "solids/polyhedron/facet_signs.h"
+#include "solids/polyhedron/separating_axis.h"
 #include "solids/polyhedron/separator.h"
 #include "verify/certify/natural.h"
 #include "verify/certify/pair_codes.h"
 #include "verify/certify/pair_walk.h"
-#include "verify/certify/quick_codes.h"
 
 namespace veritope {
 namespace {
@@ -40,7 +39,7 @@ struct PartWitness {
 
 void add_codes(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b,
                std::vector<std::uint8_t>& out) {
-  if (const auto quick = quick_pair_code(mesh, a, b)) return out.push_back(*quick);
+  if (const auto axis = separating_axis(mesh, a, b)) return out.push_back(*axis);
   const auto codes = find_pair_codes(mesh, a, b);
   VT_CHECK(!codes.empty(), "no axes for a proper pair of facets");
   out.insert(out.end(), codes.begin(), codes.end());
@@ -70,56 +69,31 @@ std::vector<std::uint32_t> all_facets(const TriangleMesh& mesh) {
   return out;
 }
 
-bool boxes_meet(const TriangleMesh& mesh, std::uint32_t f, std::uint32_t g) {
-  std::array<Box3d, 2> box;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto& t = mesh.faces[k == 0 ? f : g];
-    box[k].lo = box[k].hi = to_point(mesh.positions[t[0]]);
-    add(to_point(mesh.positions[t[1]]), &box[k]);
-    add(to_point(mesh.positions[t[2]]), &box[k]);
-  }
-  return meets(box[0], box[1]);
-}
-
-// The leaf pairs that the walk without separators meets, in its order: those whose boxes meet and that have no star
-// vertex in common, because then no nodes above them are apart or have one. The boxes of the groups are rounded.
-std::vector<LeafPair> leaf_pairs(const TriangleMesh& mesh, const ValidityReport& report,
-                                 const std::vector<std::uint32_t>& order, unsigned jobs,
-                                 WorkShare* work) {
-  const BoxGroups boxes(mesh, order, report.stars, UnitScale(report.box), jobs);
-  std::vector<std::uint32_t> position(order.size());
-  for (std::uint32_t p = 0; p < order.size(); ++p) position[order[p]] = p;
-  std::vector<std::vector<LeafPair>> found(boxes.num_tasks());
-  const auto take = [&](std::size_t task, std::span<const FacetPair> pairs) {
-    for (const auto& [f, g] : pairs)
-      if (boxes_meet(mesh, f, g)) found[task].push_back(std::minmax(position[f], position[g]));
-  };
-  boxes.for_each_overlap(std::numeric_limits<std::uint64_t>::max(), jobs, take, work);
-  std::vector<LeafPair> out;
-  for (std::vector<LeafPair>& pairs : found) {
-    out.insert(out.end(), pairs.begin(), pairs.end());
-    pairs = {};
-  }
-  VT_CHECK(out.size() <= 0xffffffffu, "pairs of facets that are not long and thin");
-  sort_as_walked(static_cast<std::uint32_t>(order.size()), out);
-  return out;
-}
-
+// The pairs are the leaf pairs that the walk without separators meets: no nodes above them are apart or have a star
+// vertex in common.
 void add_pairs(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs,
                WorkShare* work, ValidBody& body) {
   constexpr std::size_t kPairsInChunk = 8192;
-  body.order = morton_order(mesh, all_facets(mesh), UnitScale(report.box), jobs);
-  const std::vector<LeafPair> pairs = leaf_pairs(mesh, report, body.order, jobs, work);
+  FacetMeetings found;
+  const bool is_known = !report.meetings.order.empty();
+  if (!is_known) found = find_facet_meetings(mesh, report.stars, report.box, jobs, work);
+  const FacetMeetings& meetings = is_known ? report.meetings : found;
+  const std::vector<std::uint32_t>& order = meetings.order;
+  const auto pairs = sorted_as_walked(static_cast<std::uint32_t>(order.size()), meetings.pairs);
   std::vector<std::vector<std::uint8_t>> codes(num_chunks(pairs.size(), kPairsInChunk));
   WorkStep step(work, static_cast<double>(codes.size()));
   parallel_for(pairs.size(), kPairsInChunk, jobs,
                [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                 for (std::size_t n = begin; n < end; ++n)
-                   add_codes(mesh, body.order[pairs[n].first], body.order[pairs[n].second],
-                             codes[chunk]);
+                 codes[chunk].reserve(end - begin);
+                 for (const FacetMeeting& m : std::span(pairs).subspan(begin, end - begin))
+                   if (m.axis != FacetMeeting::kNoAxis)
+                     codes[chunk].push_back(m.axis);
+                   else
+                     add_codes(mesh, order[m.first], order[m.second], codes[chunk]);
                  step.add(1);
                });
   for (const auto& some : codes) body.codes.insert(body.codes.end(), some.begin(), some.end());
+  body.order = is_known ? order : std::move(found.order);
 }
 
 void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs,

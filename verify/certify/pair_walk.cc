@@ -17,7 +17,7 @@ struct LeafRange {
 };
 
 // The middle of the node whose children hold i and j, one each: every node with two leaves or more has its own.
-std::uint32_t middle_between(std::uint32_t num_leaves, const LeafPair& pair) {
+std::uint32_t middle_between(std::uint32_t num_leaves, const FacetMeeting& pair) {
   std::uint32_t lo = 0, size = num_leaves;
   for (;;) {
     const std::uint32_t half = size / 2, middle = lo + half;
@@ -33,12 +33,12 @@ std::uint32_t middle_between(std::uint32_t num_leaves, const LeafPair& pair) {
 }
 
 // The pairs of one step cross(a, b), in the order of its calls.
-void sort_in_cross(LeafRange a, LeafRange b, std::span<LeafPair> pairs) {
+void sort_in_cross(LeafRange a, LeafRange b, std::span<FacetMeeting> pairs) {
   while (pairs.size() > 1) {
     VT_CHECK(a.size() + b.size() > 2, "the pairs are different");
     const bool splits_a = a.size() >= b.size();
     const std::uint32_t middle = (splits_a ? a : b).middle();
-    const auto is_left = [&](const LeafPair& p) {
+    const auto is_left = [&](const FacetMeeting& p) {
       return (splits_a ? p.first : p.second) < middle;
     };
     const auto right = std::partition(pairs.begin(), pairs.end(), is_left);
@@ -55,8 +55,8 @@ void sort_in_cross(LeafRange a, LeafRange b, std::span<LeafPair> pairs) {
 class SelfOrder {
  public:
   // begin[m]: where the pairs around the middle m begin.
-  SelfOrder(std::vector<std::uint32_t> begin, std::vector<LeafPair> by_middle,
-            std::vector<LeafPair>& out)
+  SelfOrder(std::vector<std::uint32_t> begin, std::vector<FacetMeeting> by_middle,
+            std::vector<FacetMeeting>& out)
       : begin_(std::move(begin)), by_middle_(std::move(by_middle)), out_(out) {}
 
   void append(const LeafRange& node) {
@@ -64,34 +64,39 @@ class SelfOrder {
     const std::uint32_t middle = node.middle();
     append({node.lo, middle});
     append({middle, node.hi});
-    const std::span<LeafPair> own(by_middle_.data() + begin_[middle],
-                                  begin_[middle + 1] - begin_[middle]);
+    const std::span<FacetMeeting> own(by_middle_.data() + begin_[middle],
+                                      begin_[middle + 1] - begin_[middle]);
     sort_in_cross({node.lo, middle}, {middle, node.hi}, own);
     out_.insert(out_.end(), own.begin(), own.end());
   }
 
  private:
   std::vector<std::uint32_t> begin_;
-  std::vector<LeafPair> by_middle_;
-  std::vector<LeafPair>& out_;
+  std::vector<FacetMeeting> by_middle_;
+  std::vector<FacetMeeting>& out_;
 };
 
 }  // namespace
 
-void sort_as_walked(std::uint32_t num_leaves, std::vector<LeafPair>& pairs) {
-  if (pairs.empty()) return;
-  // Counts, then ends, then begins of the groups: element m + 1 is that of the middle m.
+std::vector<FacetMeeting> sorted_as_walked(std::uint32_t num_leaves,
+                                           std::span<const FacetMeeting> pairs) {
+  VT_CHECK(pairs.size() <= 0xffffffffu, "number of pairs");
+  std::vector<FacetMeeting> out;
+  if (pairs.empty()) return out;
+  // Counts, then begins of the groups: at first element m + 1 is that of the middle m, then element m.
   std::vector<std::uint32_t> begin(std::size_t{num_leaves} + 2, 0), middles;
   middles.reserve(pairs.size());
-  for (const LeafPair& p : pairs) {
+  for (const FacetMeeting& p : pairs) {
     middles.push_back(middle_between(num_leaves, p));
     ++begin[middles.back() + 2];
   }
   for (std::size_t m = 2; m < begin.size(); ++m) begin[m] += begin[m - 1];
-  std::vector<LeafPair> by_middle(pairs.size());
+  std::vector<FacetMeeting> by_middle(pairs.size());
   for (std::size_t n = 0; n < pairs.size(); ++n) by_middle[begin[middles[n] + 1]++] = pairs[n];
-  pairs.clear();
-  SelfOrder(std::move(begin), std::move(by_middle), pairs).append({0, num_leaves});
+  middles = {};
+  out.reserve(pairs.size());
+  SelfOrder(std::move(begin), std::move(by_middle), out).append({0, num_leaves});
+  return out;
 }
 
 }  // namespace veritope

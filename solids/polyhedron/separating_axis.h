@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// verify/certify/quick_codes.h: an axis that separates two facets, found and proved in binary64.
+// solids/polyhedron/separating_axis.h: an axis that separates two facets, found and proved in binary64.
 // Bound: docs/bounds/pair_codes.md.
 #pragma once
 #include <cstdint>
@@ -10,16 +10,16 @@
 namespace veritope {
 
 namespace internal {
-// The first axis separates by more than kQuickRel * size^3, the others by kQuickCubicRel * size^4.
-inline constexpr double kQuickRel = 0x1.08p-44, kQuickCubicRel = 0x1.68p-42;
-inline constexpr double kQuickLeast = 0x1p-150, kQuickMost = 0x1p150;
+// The first axis separates by more than kAxisRel * size^3, the others by kAxisCubicRel * size^4.
+inline constexpr double kAxisRel = 0x1.08p-44, kAxisCubicRel = 0x1.68p-42;
+inline constexpr double kAxisLeastSize = 0x1p-150, kAxisMostSize = 0x1p150;
 }  // namespace internal
 
 /// The code byte of the first axis, in the order of docs/certificates/mesh.md section 5, that certainly separates the
 /// facets: d.p < d.q for all corners p of a, q of b, exactly. Nothing if none does so certainly, or if the facets have a
 /// common vertex.
 /// @cost approximately 50 ns
-std::optional<std::uint8_t> quick_pair_code(const TriangleMesh& mesh, std::uint32_t a,
+std::optional<std::uint8_t> separating_axis(const TriangleMesh& mesh, std::uint32_t a,
                                             std::uint32_t b);
 
 }  // namespace veritope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "verify/certify/quick_codes.h"
+#include "solids/polyhedron/separating_axis.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ oracle::NamedTriangle<Integer> named(const TriangleMesh& mesh, std::uint32_t f) 
 
 // Whether there is a code; if so, that it holds.
 bool has_right_code(const TriangleMesh& mesh) {
-  const auto code = quick_pair_code(mesh, 0, 1);
+  const auto code = separating_axis(mesh, 0, 1);
   if (!code.has_value()) return false;
   std::span<const std::uint8_t> left(&*code, 1);
   EXPECT_EQ(oracle::judge_codes(named(mesh, 0), named(mesh, 1), left), "")
@@ -61,29 +61,29 @@ TriangleMesh turned(TriangleMesh mesh, Random& random, int exponent) {
   return mesh;
 }
 
-TEST(QuickCodes, NameTheFirstAxisThatSeparates) {
-  const auto code = [](const char* text) { return quick_pair_code(shapes::parse(text), 0, 1); };
+TEST(SeparatingAxis, NameTheFirstAxisThatSeparates) {
+  const auto code = [](const char* text) { return separating_axis(shapes::parse(text), 0, 1); };
   EXPECT_EQ(code("tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,1 2,1,1 1,2,3"), 0);
   EXPECT_EQ(code("tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,-1 2,1,-1 1,2,-3"), 32);
   EXPECT_EQ(code("tri 1,1,1 2,1,-1 9,2,3 ; tri 0,0,0 0,4,0 0,0,4"), 1 | 32);
 }
-TEST(QuickCodes, AreMissingWhereFacetsTouchOrHaveACommonVertex) {
-  const auto code = [](const char* text) { return quick_pair_code(shapes::parse(text), 0, 1); };
+TEST(SeparatingAxis, AreMissingWhereFacetsTouchOrHaveACommonVertex) {
+  const auto code = [](const char* text) { return separating_axis(shapes::parse(text), 0, 1); };
   EXPECT_EQ(code("tri 0,0,0 4,0,0 0,4,0 ; tri 0,0,0 4,0,0 0,0,4"), std::nullopt);
   EXPECT_EQ(code("tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,0 9,9,4 9,9,-4"), std::nullopt) << "they cross";
   EXPECT_EQ(code("tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,5e-324 2,1,7 1,2,8"), std::nullopt);
 }
-TEST(QuickCodes, AreMissingBeyondTheRangeOfTheirBound) {
+TEST(SeparatingAxis, AreMissingBeyondTheRangeOfTheirBound) {
   const TriangleMesh mesh = shapes::parse("tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,1 2,1,1 1,2,3");
   for (const int exponent : {-160, 160, 1000}) {
     TriangleMesh far = mesh;
     for (Vec3d& p : far.positions)
       p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
-    EXPECT_EQ(quick_pair_code(far, 0, 1), std::nullopt) << exponent;
+    EXPECT_EQ(separating_axis(far, 0, 1), std::nullopt) << exponent;
   }
 }
 
-TEST(QuickCodesLaw, HoldForRandomFacets) {
+TEST(SeparatingAxisLaw, HoldForRandomFacets) {
   Random random(5);
   int found = 0;
   for (long n = 0; n < scaled(20000); ++n) {
@@ -95,7 +95,7 @@ TEST(QuickCodesLaw, HoldForRandomFacets) {
   }
   EXPECT_GT(found, scaled(20000) / 4);
 }
-TEST(QuickCodesLaw, HoldForFacetsThatAlmostTouch) {
+TEST(SeparatingAxisLaw, HoldForFacetsThatAlmostTouch) {
   Random random(6);
   int found = 0, missing = 0;
   for (long n = 0; n < scaled(20000); ++n) {
@@ -128,17 +128,17 @@ Rational gap_error(const Rounded& axis, const Rounded& point) {
   return gap.error;
 }
 
-TEST(QuickCodesBound, ConstantsFollowFromTheirDerivation) {
+TEST(SeparatingAxisBound, ConstantsFollowFromTheirDerivation) {
   const Rounded point{Rational(1), kRoundingUnit}, edge = sum(point, point),
                                                    normal = cross_of(edge, edge);
   const Rational square = gap_error(normal, point),
                  cubic = gap_error(cross_of(normal, edge), point);
   // The computed size and its powers: less than 12 roundings.
   const Rational slack = Rational(1) + Rational(12) * kRoundingUnit;
-  EXPECT_LE(square * slack, Rational::from_double(internal::kQuickRel));
-  EXPECT_LE(Rational::from_double(internal::kQuickRel), square * Rational(9) / Rational(8));
-  EXPECT_LE(cubic * slack, Rational::from_double(internal::kQuickCubicRel));
-  EXPECT_LE(Rational::from_double(internal::kQuickCubicRel), cubic * Rational(9) / Rational(8));
+  EXPECT_LE(square * slack, Rational::from_double(internal::kAxisRel));
+  EXPECT_LE(Rational::from_double(internal::kAxisRel), square * Rational(9) / Rational(8));
+  EXPECT_LE(cubic * slack, Rational::from_double(internal::kAxisCubicRel));
+  EXPECT_LE(Rational::from_double(internal::kAxisCubicRel), cubic * Rational(9) / Rational(8));
 }
 
 }  // namespace

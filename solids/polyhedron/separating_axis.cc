@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "verify/certify/quick_codes.h"
+#include "solids/polyhedron/separating_axis.h"
 
 #include <algorithm>
 #include <array>
@@ -28,10 +28,10 @@ Arrow arrow(const Vec3d& from, const Vec3d& to) {
 }
 
 // Two facets, seen from the first corner of the first one.
-class QuickPair {
+class AxisSearch {
  public:
-  QuickPair(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& a,
-            const std::array<std::uint32_t, 3>& b) {
+  AxisSearch(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& a,
+             const std::array<std::uint32_t, 3>& b) {
     const Vec3d& origin = mesh.positions[a[0]];
     double size = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -39,9 +39,9 @@ class QuickPair {
       b_[i] = arrow(origin, mesh.positions[b[i]]);
       size = std::max({size, size_of(a_[i]), size_of(b_[i])});
     }
-    is_in_range_ = internal::kQuickLeast <= size && size <= internal::kQuickMost;
-    least_gap_ = internal::kQuickRel * (size * size * size);
-    least_cubic_gap_ = internal::kQuickCubicRel * (size * size) * (size * size);
+    is_in_range_ = internal::kAxisLeastSize <= size && size <= internal::kAxisMostSize;
+    least_gap_ = internal::kAxisRel * (size * size * size);
+    least_cubic_gap_ = internal::kAxisCubicRel * (size * size) * (size * size);
   }
 
   std::optional<std::uint8_t> find() const {
@@ -102,12 +102,12 @@ bool have_common_vertex(const std::array<std::uint32_t, 3>& a,
 
 }  // namespace
 
-std::optional<std::uint8_t> quick_pair_code(const TriangleMesh& mesh, std::uint32_t a,
+std::optional<std::uint8_t> separating_axis(const TriangleMesh& mesh, std::uint32_t a,
                                             std::uint32_t b) {
   if (!kFiltersAreCompiled || !filters_are_sound()) return std::nullopt;
   const auto &s = mesh.faces[a], &t = mesh.faces[b];
   if (have_common_vertex(s, t)) return std::nullopt;
-  return QuickPair(mesh, s, t).find();
+  return AxisSearch(mesh, s, t).find();
 }
 
 }  // namespace veritope

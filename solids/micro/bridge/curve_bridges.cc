@@ -140,11 +140,11 @@ class CurveBridgeSearch {
     const Rational along = shortened(step, step);
     for (std::size_t c = 0; c < 3; ++c) out[1][c] += along * place_.tangent[c];
     const Point3d foot = feet_(out[1]).at;
-    // Back towards q, or towards p where q lies on the surface.
+    // Back towards q, or towards p where q lies on the surface. The depth has to be seen beside the coordinates.
     Point3d from = approx_place(out[1]);
     double way = length_of_way(foot, from);
-    const double least = 0x1p-20 * distance;
-    if (!(way > least)) {
+    const double least = 0x1p-40 * (distance + length_of_way({}, foot));
+    if (!(way > std::max(least, 0x1p-20 * distance))) {
       from = approx_place(place_.at);
       way = length_of_way(foot, from);
     }

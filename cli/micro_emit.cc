@@ -46,12 +46,11 @@ BezierSurface<Rational> surface_of(const CurveBridge& bridge) {
     for (std::size_t c = 0; c < 3; ++c) out.component(static_cast<int>(c))[i] = bridge.points[i][c];
   return out;
 }
-// Some bridges, to be written together.
-constexpr std::size_t kBridgesInPart = 256;
-
 Status emit_splines(const ComposedSurface& surface, const std::vector<CurveBridge>& bridges,
                     SplineFormat format, unsigned jobs, StreamedOutput& output) {
-  const SplineStream stream(format);
+  std::vector<SplineGroup> groups;
+  if (!bridges.empty()) groups.push_back({"bridges", {}, std::nullopt});
+  const SplineStream stream(format, groups);
   if (Status status = output.write(stream.begin()); !status) return status;
   bool is_first = true;
   const auto write_part = [&](const std::string& text) {
@@ -63,22 +62,21 @@ Status emit_splines(const ComposedSurface& surface, const std::vector<CurveBridg
   Status status = in_rounds<std::string>(
       surface.cells().size(), jobs,
       [&](std::size_t begin, std::size_t end) {
-        SplineModel model;
+        std::vector<SplineEntity> entities;
         for (auto& patches : surface.compose(begin, end))
           for (ComposedPatch& p : patches)
             if (p.surface.degree(1) == 0)
-              model.entities.push_back({to_bspline(curve_of(p.surface)), {}, std::nullopt, {}});
+              entities.push_back({to_bspline(curve_of(p.surface)), {}, std::nullopt, {}});
             else
-              model.entities.push_back({to_bspline(p.surface), {}, std::nullopt, {}});
-        return model.entities.empty() ? std::string() : stream.part(model);
+              entities.push_back({to_bspline(p.surface), {}, std::nullopt, {}});
+        return entities.empty() ? std::string() : stream.part(std::move(entities));
       },
       write_part);
-  for (std::size_t first = 0; first < bridges.size() && status; first += kBridgesInPart) {
-    SplineModel model;
-    for (std::size_t i = first; i < std::min(first + kBridgesInPart, bridges.size()); ++i)
-      model.entities.push_back(
-          {to_bspline(curve_of(surface_of(bridges[i]))), {}, std::nullopt, {}});
-    status = write_part(stream.part(model));
+  if (status && !bridges.empty()) {
+    std::vector<SplineEntity> entities;
+    for (const CurveBridge& b : bridges)
+      entities.push_back({to_bspline(curve_of(surface_of(b))), {}, 0, {}});
+    status = write_part(stream.part(std::move(entities)));
   }
   return status ? output.write(stream.end()) : status;
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Two builds write the same bytes: microstructures, lists, reports, meshes, composed splines, pictures and certificates.
+"""Two builds write the same bytes: microstructures, lists, reports, meshes, composed splines, pictures, certificates.
 
 usage: soak_micro_compilers.py BIN_FOLDER [OTHER_BIN_FOLDER] [--jobs N] [--keep FOLDER] [--run NAME ...]
 Without OTHER_BIN_FOLDER the program is built by clang++-14 in the folder build-clang. Each run makes its cage, its
@@ -55,8 +55,8 @@ RUNS = {
                          "0.02", "--connected", solid="bone.off"), certify("c", "--model", "bone.off")),
     "rational": (RING, micro("ring.vjson", "branch,arms=u0+u1+v0+v1+w0", "3,12,5", "d", "-o", "d.vmicro", emit="itd"),
                  certify("d"), micro("ring.vjson", "jack", "3,12,5", "e", "-o", "e.vmicro", solid="cylinder.vjson")),
-    "nested": (BOX, micro("box.vjson", "jack,degree=1", "2,1,1", "f", "-o", "f.vmicro", "--nest", "jack:2,1,2", "--mesh",
-                          "f.off", "--chord", "0.01"), certify("f")),
+    "nested": (BOX, micro("box.vjson", "jack,degree=1", "2,1,1", "f", "-o", "f.vmicro", "--nest", "jack:2,1,2",
+                          "--mesh", "f.off", "--chord", "0.01"), certify("f")),
     "frame": (BOX, micro("box.vjson", "frame,bar=1/4,margin=1/10", "4,4,3", "g", "-o", "g.vmicro", "--tile", "jack",
                          "--place", "rand(3)*2", "--mesh", "g.obj", "--chord", "0.01"), certify("g")),
     "materials": (BOX, micro("box.vjson", "jack", "3,3,4", "h", "-o", "h.vmicro", "--double", "w=2", "--material",

@@ -247,7 +247,8 @@ class RenderRun {
                              " has none"));
   }
 
-  // Nothing: MODEL is no file of volumes or curves in space, or it cannot be read, and no option is for such files only.
+  // Nothing: MODEL is no file of volumes or curves in space, or it cannot be read, and no option is for such files
+  // only.
   std::optional<ExitCode> draw_if_cells_or_curves() {
     progress_.phase(shown_path(path()), "reading");
     const ModelReadOptions how = reading();

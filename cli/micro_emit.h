@@ -13,10 +13,9 @@ namespace veritope::cli {
 /// Why a file of this name cannot be emitted; empty if it can: .vjson, .itd or .vtu.
 std::string fault_of_emit_name(const std::string& path);
 
-/// Writes the patches to the output, and then the bridges as curves, in the format of its name: in a group "bridges", if
-/// there are some. In .vtu the patch of a
-/// bridge is -1; the other numbers are those of the tile that it continues. The bytes are the same for every number of
-/// jobs.
+/// Writes the patches to the output, and then the bridges as curves, in the format of its name: in a group "bridges",
+/// if there are some. In .vtu the patch of a bridge is -1; the other numbers are those of the tile that it continues.
+/// The bytes are the same for every number of jobs.
 /// @error kCannotWrite; kNotFinite (.vtu): a coordinate beyond binary64
 /// REQUIRES a surface and bridges of micro.
 Status emit_surface(const ComposedSurface& surface, const Microstructure& micro,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // render/curve_view.h: curves and sheets in space for pictures and viewers, as micro --emit writes them, in the colours
-// of microstructures: those in a group "bridges" are bridges. These are pictures: everything is rounded to binary64, and
-// nothing is decided. Source: figure 9 of [HPE22].
+// of microstructures: those in a group "bridges" are bridges. These are pictures: everything is rounded to binary64,
+// and nothing is decided. Source: figure 9 of [HPE22].
 #pragma once
 #include <cstddef>
 #include <optional>

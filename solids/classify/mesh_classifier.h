@@ -26,7 +26,7 @@ struct MeshShells {
 /// How finely a look-up divides space. Answers do not depend on it.
 enum class LookupDetail {
   kForPoints,  ///< many points: the fastest answers
-  kForBoxes,  ///< some thousands of boxes and points: half the time of building
+  kForBoxes,   ///< some thousands of boxes and points: half the time of building
 };
 
 /// Answers for points with respect to one mesh. Immutable: threads may share it.

@@ -138,7 +138,8 @@ CurveEndPlace place_of(const Microstructure& micro, const CurveEnd& end, CellPie
     at[a] = piece.brought(a, last[a]);
     direction[a] = piece.stretched(a, Rational(curve.degrees[0]) * (last[a] - before[a]));
   }
-  // The map X / w is taken as the polynomial map (X, w), whose derivative is (X', w'): (X / w)' = (X' - (X / w) w') / w.
+  // The map X / w is taken as the polynomial map (X, w), whose derivative is (X', w'): (X / w)' = (X' - (X / w) w') /
+  // w.
   const BezierVolume<Rational>& map = piece.map();
   const auto net = map.coefficients();
   const BezierVolume<Rational> homogeneous(map.degrees(), map.num_components(), false,

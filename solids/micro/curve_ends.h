@@ -23,8 +23,8 @@ struct CurveEnd {
 
 /// The free ends: those in a wall of their cell whose image is that of no other end of a curve of a cell that holds a
 /// tile. Where curves of one tile meet in a wall, none of them has a free end. Ascending.
-/// REQUIRES validate(micro) but for open tiles, whose curves depend on no number of a wall; a cage that is one to one on
-/// each volume's open box.
+/// REQUIRES validate(micro) but for open tiles, whose curves depend on no number of a wall; a cage that is one to one
+/// on each volume's open box.
 /// @cost near-linear in the ends in walls; the map is evaluated at ends in the faces of grids only
 std::vector<CurveEnd> free_curve_ends(const Microstructure& micro);
 
@@ -32,8 +32,8 @@ std::vector<CurveEnd> free_curve_ends(const Microstructure& micro);
 struct CurveEndPlace {
   std::array<Rational, 3> at, tangent;
 };
-/// The image of an end, and the derivative of the curve in space there by its parameter in [0, 1], in the direction that
-/// leads out of the curve. It may be 0.
+/// The image of an end, and the derivative of the curve in space there by its parameter in [0, 1], in the direction
+/// that leads out of the curve. It may be 0.
 /// REQUIRES a curve of a cell that holds a tile, a weight that is not 0 at the end, and a piece of micro, which goes to
 /// the cell.
 CurveEndPlace place_of(const Microstructure& micro, const CurveEnd& end, CellPiece& piece);

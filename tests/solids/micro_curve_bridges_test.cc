@@ -88,7 +88,7 @@ TEST(FreeCurveEnds, LieInWallsAndAreTheEndOfOneCurve) {
   const std::vector<VVolume> box = {bent_box({0, 0, 0}, 1)};
   // Diagonals: cells that share a corner only continue each other.
   EXPECT_EQ(num_free(box, {2, 2, 2}, lines_tile({{at(0, 0, 0), at(64, 64, 64)}})), 14u);
-  // An end inside of the cell is none, nor is a joint in a wall.
+  // Ends inside of the cell do not count, nor do joints in a wall.
   EXPECT_EQ(num_free(box, {1, 1, 1}, lines_tile({{at(0, 32, 32), at(8, 32, 32)}})), 1u);
   EXPECT_EQ(num_free(box, {1, 1, 1},
                      lines_tile({{at(16, 16, 16), at(64, 32, 32)}, {at(64, 32, 32), at(8, 8, 8)}})),

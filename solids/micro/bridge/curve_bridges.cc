@@ -26,8 +26,8 @@ constexpr std::size_t kEndsInChunk = 16;
 // Bits that steps and ends keep below their leading one: fewer digits, and nothing depends on the rest.
 constexpr int kStepBits = 20;
 
-// The middle control point lies `lead` times as far off as in algorithm 4, and the end at `depth` times the skin, or the
-// distance of the curve's end if that is less, from the surface.
+// The middle control point lies `lead` times as far off as in algorithm 4, and the end at `depth` times the skin, or
+// the distance of the curve's end if that is less, from the surface.
 struct CurveTry {
   double lead, depth;
 };
@@ -54,7 +54,7 @@ Rational shortened(double x, double scale) {
 }
 bool is_number(double x) { return std::isfinite(x) && x > 0; }
 
-// An upper bound of the square root. Infinite if there is none.
+// An upper bound of the square root. Infinite if no bound is known.
 double root_bound(const Interval& square) {
   const ScopedUpward upward;
   const Interval root = sqrt(square);
@@ -140,7 +140,8 @@ class CurveBridgeSearch {
     const Rational along = shortened(step, step);
     for (std::size_t c = 0; c < 3; ++c) out[1][c] += along * place_.tangent[c];
     const Point3d foot = feet_(out[1]).at;
-    // Back towards q, or towards p where q lies on the surface. The depth has to be seen beside the coordinates.
+    // The end is drawn towards q, or towards p where q lies on the surface. The depth has to be seen beside the
+    // coordinates.
     Point3d from = approx_place(out[1]);
     double way = length_of_way(foot, from);
     const double least = 0x1p-40 * (distance + length_of_way({}, foot));

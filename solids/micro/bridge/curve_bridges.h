@@ -29,12 +29,12 @@ struct CurveBridges {
 };
 
 /// Adds nothing to the microstructure. Each bridge is proved to lie in the interior of the solid, and to end within
-/// `skin` of its surface: q is the end p moved by alpha times its distance from the surface along the tangent, where the
-/// paper takes the normal of a face; r is the point of the surface nearest to q, drawn back towards q. If that is not
-/// proved, up to 7 others are tried, nearer and deeper. Bridges may cross each other and the tiles' curves: curves bound
-/// nothing.
-/// REQUIRES open tiles that are proved to lie in the interior of the solid of the filter, whose surface the feet are on;
-/// what free_curve_ends requires; 0 < alpha <= 1, skin > 0.
+/// `skin` of its surface: q is the end p moved by alpha times its distance from the surface along the tangent, where
+/// the paper takes the normal of a face; r is the point of the surface nearest to q, drawn back towards q. If that is
+/// not proved, up to 7 others are tried, nearer and deeper. Bridges may cross each other and the tiles' curves: curves
+/// bound nothing.
+/// REQUIRES open tiles that are proved to lie in the interior of the solid of the filter, whose surface the feet are
+/// on; what free_curve_ends requires; 0 < alpha <= 1, skin > 0.
 /// @error kOverLimit: more than kMaxMicroBridges free ends
 /// @cost  some tenths of a millisecond for each end
 Result<CurveBridges> build_curve_bridges(const TileFilter& filter, const SkinFeet& feet,

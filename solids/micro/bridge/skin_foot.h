@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/bridge/skin_foot.h: the point of a solid's surface that is nearest to a point, whatever bounds the solid.
+// solids/micro/bridge/skin_foot.h: the point of a solid's surface that is nearest to a point, whatever bounds the
+// solid.
 #pragma once
 #include <functional>
 

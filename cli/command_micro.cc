@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/commands.h"
+#include "cli/micro_curves.h"
 #include "cli/micro_emit.h"
 #include "cli/micro_options.h"
 #include "cli/micro_solid.h"
@@ -167,7 +168,8 @@ class MicroRun {
         MicroSolid::read(*options_.model, options_.reading);
     if (!solid) return refuse(solid.error());
     solid_ = std::move(*solid);
-    if (solid_->mesh() == nullptr && options_.bridge.is_asked_for(options_.skin.has_value()))
+    if (solid_->mesh() == nullptr && !is_open() &&
+        options_.bridge.is_asked_for(options_.skin.has_value()))
       return fail(bad_argument("--bridge, --alpha and --skin: bridges lead to meshes only, and " +
                                harmless(*options_.model) + " is none"));
     report_.model = MicroRunReport::File{*options_.model, solid_->sha256(), solid_->bytes()};
@@ -295,10 +297,11 @@ class MicroRun {
     if (!solid_) return kExitValid;
     progress_.phase(*options_.model, "filtering tiles");
     Stopwatch watch;
-    const Result<TileFilter> filter = solid_->filter();
+    Result<TileFilter> filter = solid_->filter();
     if (!filter) return refuse(filter.error());
+    filter_.emplace(std::move(*filter));
     Result<std::vector<GridStatus>> found =
-        filter_tiles_to(*filter, static_cast<unsigned>(options_.reading.jobs), micro_);
+        filter_tiles_to(*filter_, static_cast<unsigned>(options_.reading.jobs), micro_);
     if (!found) return refuse(found.error());
     statuses_ = std::move(*found);
     std::array<std::uint64_t, 5> counts{};
@@ -350,18 +353,36 @@ class MicroRun {
   }
 
   ExitCode build() {
+    if (is_open()) return build_of_curves();
     const TriangleMesh* const mesh = solid_ ? solid_->mesh() : nullptr;
-    if (mesh == nullptr || !options_.bridge.is_wanted || options_.nest || is_open())
-      return kExitValid;
+    if (mesh == nullptr || !options_.bridge.is_wanted || options_.nest) return kExitValid;
     progress_.phase(*options_.model, "building bridges");
     Stopwatch watch;
-    BridgeOptions how;
-    how.alpha = options_.bridge.alpha;
-    how.skin = options_.skin ? *options_.skin : default_skin(*mesh);
-    how.jobs = static_cast<unsigned>(options_.reading.jobs);
-    Result<BridgeReport> built = build_bridges(*mesh, *model_, tiles_, how, micro_);
+    Result<BridgeReport> built =
+        build_bridges(*mesh, *model_, tiles_, bridge_options(default_skin(*mesh)), micro_);
     if (!built) return refuse(built.error());
     report_.bridges = std::move(*built);
+    report_.seconds.bridge = watch.lap();
+    return kExitValid;
+  }
+
+  BridgeOptions bridge_options(double default_skin) const {
+    BridgeOptions out;
+    out.alpha = options_.bridge.alpha;
+    out.skin = options_.skin ? *options_.skin : default_skin;
+    out.jobs = static_cast<unsigned>(options_.reading.jobs);
+    return out;
+  }
+  // From the free ends of curves; sheets have none.
+  ExitCode build_of_curves() {
+    if (!solid_ || !options_.bridge.is_wanted || !has_curves(micro_)) return kExitValid;
+    progress_.phase(*options_.model, "building bridges");
+    Stopwatch watch;
+    Result<CurveBridges> built =
+        bridge_curves(*solid_, *filter_, micro_, bridge_options(solid_->default_skin()));
+    if (!built) return refuse(built.error());
+    report_.bridges = std::move(built->report);
+    curve_bridges_ = std::move(built->bridges);
     report_.seconds.bridge = watch.lap();
     return kExitValid;
   }
@@ -489,8 +510,8 @@ class MicroRun {
     Result<StreamedOutput> output = StreamedOutput::open(*options_.emit);
     if (!output) return fail(output.error());
     emitted_.emplace(std::move(*output));
-    if (const Status made =
-            emit_surface(*surface, static_cast<unsigned>(options_.reading.jobs), *emitted_);
+    if (const Status made = emit_surface(*surface, micro_, curve_bridges_,
+                                         static_cast<unsigned>(options_.reading.jobs), *emitted_);
         !made)
       return refuse(made.error());
     report_.composed =
@@ -574,7 +595,9 @@ class MicroRun {
   std::optional<TileChoice> nested_tile_;
   Microstructure micro_;
   std::vector<AnalysedTile> tiles_;
+  std::optional<TileFilter> filter_;
   std::vector<GridStatus> statuses_;
+  std::vector<CurveBridge> curve_bridges_;
   std::vector<std::vector<std::uint64_t>> floating_;  // cells, by grids
   std::string mesh_bytes_;
   std::optional<StreamedOutput> emitted_;

@@ -36,8 +36,13 @@ class MicroSolid {
   /// Whether the fault is that something was not decided, and not a defect of the solid.
   bool is_undecided() const { return is_open_; }
 
+  /// Null unless the file holds splines. REQUIRES !fault().
+  const PatchComplex* complex() const { return patches_.complex.get(); }
+
   /// REQUIRES !fault().
   Result<TileFilter> filter() const;
+  /// How near to the surface bridges end unless an option says so. REQUIRES !fault().
+  double default_skin() const;
 
   struct Escape {
     std::string message;              ///< "triangle 5 does not lie inside of the cage: ..."

@@ -11,11 +11,9 @@
 namespace veritope {
 namespace {
 
-constexpr Colour kTileColour{86, 160, 84}, kBridgedTileColour{226, 186, 60},
-    kBridgeColour{58, 108, 190}, kCageColour{200, 40, 40}, kAroundColour{150, 155, 165};
+constexpr Colour kBridgedTileColour{226, 186, 60}, kCageColour{200, 40, 40};
 constexpr std::size_t kCageEdgeParts = 48;
 constexpr double kCageWidth = 2;
-constexpr std::uint8_t kAroundOpacity = 60;
 
 using Net = std::vector<Point3d>;
 
@@ -109,7 +107,7 @@ class MicroPainter {
     }
     for (const MicroBridge& b : micro_.bridges) draw_bridge(b);
     std::erase_if(parts_, [](const ViewPart& part) { return part.triangles.empty(); });
-    if (options_.model != nullptr) add_model();
+    if (options_.model != nullptr) parts_.push_back(part_around(*options_.model));
     if (options_.has_cage) add_cage();
     return std::move(parts_);
   }
@@ -233,11 +231,6 @@ class MicroPainter {
       }
   }
 
-  void add_model() {
-    ViewPart& out = parts_.emplace_back(named("model", kAroundColour));
-    for (const Vec3d& p : options_.model->positions) out.points.push_back({p.x, p.y, p.z});
-    out.triangles = options_.model->faces;
-  }
   void add_cage() {
     ViewPart& out = parts_.emplace_back(named("cage", kCageColour));
     for (std::uint32_t v = 0; v < maps_.size(); ++v)
@@ -269,6 +262,14 @@ class MicroPainter {
 };
 
 }  // namespace
+
+ViewPart part_around(const TriangleMesh& mesh) {
+  ViewPart out;
+  out.name = "model", out.colour = kAroundColour;
+  for (const Vec3d& p : mesh.positions) out.points.push_back({p.x, p.y, p.z});
+  out.triangles = mesh.faces;
+  return out;
+}
 
 Result<std::vector<ViewPart>> micro_parts(const Microstructure& micro,
                                           const MicroViewOptions& options) {

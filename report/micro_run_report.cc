@@ -39,8 +39,9 @@ Json bridges_json(const std::optional<BridgeReport>& bridges) {
           {"reach", range_of_bridges_json(bridges->reach)}};
 }
 
-std::string bridges_line(const BridgeReport& bridges) {
-  std::string text = std::to_string(bridges.built) + " of " + counted(bridges.caps, "cap", "caps");
+std::string bridges_line(const BridgeReport& bridges, const char* one = "cap",
+                         const char* many = "caps") {
+  std::string text = std::to_string(bridges.built) + " of " + counted(bridges.caps, one, many);
   bool is_first = true;
   for (std::size_t i = 0; i < kNumBridgeDrops; ++i) {
     if (bridges.dropped[i] == 0) continue;
@@ -108,7 +109,10 @@ std::string open_run_text(const MicroRunReport& r) {
     if (r.composed->curves != 0) shapes = counted(r.composed->curves, "curve", "curves");
     if (sheets != 0) shapes += (shapes.empty() ? "" : ", ") + counted(sheets, "sheet", "sheets");
     text = "wrote  " + unbroken(harmless(r.composed->file.path)) + "  " + shapes + " of " +
-           counted(r.kept, "tile", "tiles") + " in " + counted(r.cells, "cell", "cells") + "\n";
+           counted(r.kept, "tile", "tiles") +
+           (r.bridges ? ", " + counted(r.bridges->built, "bridge", "bridges") : "") + " in " +
+           counted(r.cells, "cell", "cells") + "\n";
+    if (r.bridges) text += bridges_line(*r.bridges, "free end", "free ends");
   } else if (r.kept == 0 && r.defects.empty()) {
     text = "wrote nothing: no tile is kept in " + counted(r.cells, "cell", "cells") + "\n";
   }

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "solids/micro/cap_matching.h"
-#include "solids/micro/compose/cell_piece_internal.h"
+#include "solids/micro/cell_piece.h"
 #include "splines/composition_integer.h"
 
 namespace veritope {
 namespace {
 
-BezierSurface<Rational> patch_in_piece(const internal::CellPiece& piece, const TilePatch& patch,
+BezierSurface<Rational> patch_in_piece(const CellPiece& piece, const TilePatch& patch,
                                        std::int32_t number) {
   const std::vector<TilePoint> points = points_at(patch, number);
   BezierSurface<Rational> out(patch.degrees, 3, false);
@@ -125,7 +125,7 @@ Status ComposedSurface::count() {
 std::vector<std::vector<ComposedPatch>> ComposedSurface::compose(std::size_t begin,
                                                                  std::size_t end) const {
   std::vector<std::vector<ComposedPatch>> out;
-  internal::CellPiece piece(*micro_);
+  CellPiece piece(*micro_);
   for (std::size_t n = begin; n < end; ++n) {
     const ComposedCell& cell = cells_[n];
     const MicroGrid& grid = micro_->grids[cell.grid];

@@ -67,7 +67,8 @@ std::variant<InsideProof, InsideDefect> prove_inside(const Microstructure& micro
                                                      const InsideModel& model, unsigned jobs,
                                                      const InsideLimits& limits) {
   const WorkerScope workers(std::max(1u, jobs));
-  Result<MeshClassifier> classifier = MeshClassifier::make(*model.mesh, &model.shells);
+  Result<MeshClassifier> classifier =
+      MeshClassifier::make(*model.mesh, &model.shells, LookupDetail::kForBoxes);
   VT_CHECK(classifier.has_value(), "the mesh of a solid is closed");
   InsideParts parts{micro,
                     tiles,

@@ -416,7 +416,7 @@ class MicroRun {
     progress_.phase(*options_.output, "measuring");
     Stopwatch watch;
     if (const auto v = volume_of(micro_, *model_, static_cast<unsigned>(options_.reading.jobs))) {
-      report_.volume = bounds_of(v->tiles);
+      report_.volume = bounds_of(v->solid);
       report_.density = bounds_of(v->density);
     }
     if (const auto s = scale_of(micro_, *model_)) report_.scale = {s->lo, s->hi};
@@ -496,7 +496,9 @@ class MicroRun {
     report_.composed =
         MicroRunReport::Composed{{*options_.emit, emitted_->sha256(), emitted_->num_bytes()},
                                  surface->num_patches(),
-                                 surface->num_curves()};
+                                 surface->num_curves(),
+                                 micro_.bridges.size() - surface->bridges_left_out().size(),
+                                 surface->bridges_left_out()};
     report_.seconds.compose = watch.lap();
     return kExitValid;
   }

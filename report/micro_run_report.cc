@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "report/micro_run_report.h"
 
+#include <algorithm>
+
 #include "report/decimal_text.h"
 #include "report/json_text.h"
 #include "report/report_text.h"
@@ -55,7 +57,21 @@ Json composed_json(const std::optional<MicroRunReport::Composed>& composed) {
   if (!composed) return nullptr;
   return {{"file", file_json(composed->file)},
           {"patches", composed->patches},
-          {"curves", composed->curves}};
+          {"curves", composed->curves},
+          {"bridges", composed->bridges},
+          {"bridges_left_out", composed->bridges_left_out}};
+}
+
+// Names the first bridges that the composed surface lacks.
+std::string left_out_line(const MicroRunReport::Composed& composed) {
+  constexpr std::size_t kMostNamed = 8;
+  const auto& numbers = composed.bridges_left_out;
+  std::string text = counted(numbers.size(), "bridge", "bridges") +
+                     " not composed, because a knot of the cage crosses " +
+                     (numbers.size() == 1 ? "it" : "them") + ":";
+  for (std::size_t i = 0; i < std::min(numbers.size(), kMostNamed); ++i)
+    text += (i == 0 ? " " : ", ") + std::to_string(numbers[i]);
+  return detail_line("left out", text + (numbers.size() > kMostNamed ? ", ..." : ""));
 }
 
 Json micro_bounds_json(const std::optional<MicroRunReport::Bounds>& b) {
@@ -168,6 +184,7 @@ std::string micro_run_text(const MicroRunReport& r) {
   if (r.composed)
     text += "wrote  " + unbroken(harmless(r.composed->file.path)) + "  " +
             counted(r.composed->patches, "patch", "patches") + "\n";
+  if (r.composed && !r.composed->bridges_left_out.empty()) text += left_out_line(*r.composed);
   if (r.volume && r.density)
     text += detail_line("volume", bounds_text(*r.volume) + ", " +
                                       bounds_text({100 * r.density->lo, 100 * r.density->hi}) +

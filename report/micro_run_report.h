@@ -36,7 +36,8 @@ struct MicroRunReport {
     std::uint64_t patches = 0;
     std::uint64_t curves = 0;  ///< among the patches
     std::uint64_t bridges = 0;
-    std::vector<std::uint32_t> bridges_left_out;  ///< numbers of those that cross a knot of the cage
+    std::vector<std::uint32_t>
+        bridges_left_out;  ///< numbers of those that cross a knot of the cage
   };
   /// What the cells held whose tiles became the cage: micro --nest.
   struct Outer {

@@ -27,8 +27,7 @@ bool VolumePieces::needs(std::size_t axis, std::size_t number) {
   const Rational width = along.breaks[number] - along.breaks[number - 1],
                  next = (along.breaks[number + 1] - along.breaks[number]) / width;
   Grid<3> others;
-  for (std::size_t a = 0; a < 3; ++a)
-    others.size[a] = a == axis ? 1 : axes_[a].breaks.size() - 1;
+  for (std::size_t a = 0; a < 3; ++a) others.size[a] = a == axis ? 1 : axes_[a].breaks.size() - 1;
   bool differs = false;
   for (std::size_t n = 0; n < others.count() && !differs; ++n) {
     std::array<std::size_t, 3> spans = others.index_of(n);

@@ -112,8 +112,7 @@ Status ComposedSurface::cover_equal_caps(const std::vector<std::vector<std::uint
   return found;
 }
 
-Status ComposedSurface::cover_bridged_caps(
-    const std::vector<std::vector<std::uint32_t>>& numbers) {
+Status ComposedSurface::cover_bridged_caps(const std::vector<std::vector<std::uint32_t>>& numbers) {
   if (micro_->bridges.empty()) return ok_status();
   for (const VVolume& volume : micro_->cage) pieces_.emplace_back(volume);
   for (std::uint32_t b = 0; b < micro_->bridges.size(); ++b) {
@@ -132,8 +131,7 @@ Status ComposedSurface::cover_bridged_caps(
       continue;
     }
     ComposedCell& cell = cells_[numbers[bridge.cap.grid][bridge.cap.cell]];
-    const auto& caps =
-        (*tiles_)[cell.tile].caps_of_wall[static_cast<std::size_t>(bridge.cap.wall)];
+    const auto& caps = (*tiles_)[cell.tile].caps_of_wall[static_cast<std::size_t>(bridge.cap.wall)];
     if (caps.size() != 1)
       return bad_argument("bridge " + std::to_string(b) + " starts at a wall with " +
                           std::to_string(caps.size()) + " caps");
@@ -172,9 +170,8 @@ Status ComposedSurface::count() {
     const MicroTile& tile = (*tiles_)[cell.tile].tile;
     for (std::size_t p = 0; p < tile.patches.size(); ++p) {
       if (is_left_out(cell, p)) continue;
-      if (Status status =
-              count_patch(micro_->grids[cell.grid].volume, tile.patches[p].degrees,
-                          "patch " + std::to_string(p) + " of tile " + tile.name);
+      if (Status status = count_patch(micro_->grids[cell.grid].volume, tile.patches[p].degrees,
+                                      "patch " + std::to_string(p) + " of tile " + tile.name);
           !status)
         return status;
     }

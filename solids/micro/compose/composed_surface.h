@@ -35,7 +35,8 @@ struct ComposedCell {
 /// the volume's.
 struct ComposedPatch {
   std::uint32_t patch = 0;  ///< its number in the tile, or in free_faces of the bridge
-  std::optional<std::uint32_t> bridge;  ///< the number of the bridge; nothing for a patch of the tile
+  std::optional<std::uint32_t>
+      bridge;  ///< the number of the bridge; nothing for a patch of the tile
   BezierSurface<Rational> surface{{1, 1}, 3, false};
 };
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "robust/base/check.h"
 #include "solids/micro/measure/cell_expansion_internal.h"
 #include "solids/micro/measure/gauss_rule_internal.h"
 #include "solids/micro/measure/tile_moments_internal.h"
@@ -60,11 +59,11 @@ SpanDeterminants::Expandable SpanDeterminants::of(std::uint32_t volume, const Kn
   if (errors == errors_.end()) {
     std::array<double, 3> half_widths;
     for (std::size_t a = 0; a < 3; ++a) half_widths[a] = std::ldexp(1.0, exponents[a]);
-    errors = errors_
-                 .try_emplace({volume, knots, exponents},
-                              expansion_errors(known->second.polynomial, half_widths,
-                                               kMostBridgeOrder))
-                 .first;
+    errors =
+        errors_
+            .try_emplace({volume, knots, exponents},
+                         expansion_errors(known->second.polynomial, half_widths, kMostBridgeOrder))
+            .first;
   }
   return {known->second, errors->second};
 }
@@ -161,8 +160,9 @@ std::array<std::vector<Interval>, 3> BridgePrimitive::legendre(const Cell& cell,
   std::array<std::vector<Interval>, 3> out;
   for (std::size_t a = 0; a < 3; ++a) {
     const Interval z = Interval(2.0) * (y[a] - cell.begin[a]) / cell.width[a] - Interval(1.0);
-    const Interval inside = intersection(z, Interval::from_bounds(-1, 1));
-    VT_CHECK(!inside.is_empty(), "a point of a bridge is not in its cell");
+    // A box that only touches the cell may lie beyond it by a rounding: then its end is meant.
+    const Interval inside =
+        Interval::from_bounds(std::clamp(z.lo(), -1.0, 1.0), std::clamp(z.hi(), -1.0, 1.0));
     out[a].resize(std::max(cell.order, cell.begin_order) + 2);
     legendre_values(inside, out[a]);
   }
@@ -172,7 +172,9 @@ std::array<std::vector<Interval>, 3> BridgePrimitive::legendre(const Cell& cell,
 Interval BridgePrimitive::near_begin(const CellNumber& number, const Box3& y) const {
   const Cell& cell = cell_at(number);
   if (cell.at_begin.empty()) return Interval();
-  auto f = legendre(cell, y);
+  Box3 begin = y;
+  begin[axis_] = cell.begin[axis_];
+  auto f = legendre(cell, begin);
   std::fill(f[axis_].begin(), f[axis_].end(), Interval());
   f[axis_][0] = Interval(1.0);
   return sum_of_products(cell.at_begin, cell.begin_order, f);
@@ -197,9 +199,9 @@ Interval BridgePrimitive::near(const CellNumber& number, const Box3& y) const {
   }
   const Interval half = Interval(0.5) * cell.width[axis_];
   for (std::size_t i = 0; i <= cell.order; ++i)
-    f[axis_][i] = half * (i == 0 ? along[1] + Interval(1.0)
-                                 : (along[i + 1] - along[i - 1]) /
-                                       Interval(static_cast<double>(2 * i + 1)));
+    f[axis_][i] =
+        half * (i == 0 ? along[1] + Interval(1.0)
+                       : (along[i + 1] - along[i - 1]) / Interval(static_cast<double>(2 * i + 1)));
   return begin + sum_of_products(cell.expansion, cell.order, f);
 }
 

@@ -78,8 +78,8 @@ class BridgePrimitive {
     double error = 0;
   };
   const Cell& cell_at(const CellNumber& cell) const { return cells_[shape_.at(cell)]; }
-  void expand(const VVolume& volume, std::uint32_t number, const TilePoint& lo,
-              const TilePoint& hi, const CellNumber& at, SpanDeterminants& determinants);
+  void expand(const VVolume& volume, std::uint32_t number, const TilePoint& lo, const TilePoint& hi,
+              const CellNumber& at, SpanDeterminants& determinants);
   void go_on(const Cell& before, Cell& cell) const;
   std::array<std::vector<Interval>, 3> legendre(const Cell& cell, const Box3& y) const;
 

@@ -67,8 +67,8 @@ Interval slope_bound(const BezierSurface<Interval>& net, std::size_t component, 
   double most = 0;
   grid.for_each_line(axis, [&](std::size_t first) {
     for (std::size_t i = 0; i + 1 < grid.size[axis]; ++i)
-      most = std::max(most, mag(x[first + (i + 1) * grid.stride(axis)] -
-                                x[first + i * grid.stride(axis)]));
+      most = std::max(
+          most, mag(x[first + (i + 1) * grid.stride(axis)] - x[first + i * grid.stride(axis)]));
   });
   return Interval(most) * Interval(static_cast<double>(net.degree(axis)));
 }
@@ -191,9 +191,8 @@ class OneBridge {
       return primitive_.near_begin(above, y) + (y[a] - cut) * Interval(j.mid);
     });
     const double error = std::max(primitive_.error(below), primitive_.error(above));
-    return value +
-           up_to((Interval(error) + Interval(j.rad) * Interval(mag(box[a] - cut))).hi()) *
-               size_bound(net);
+    return value + up_to((Interval(error) + Interval(j.rad) * Interval(mag(box[a] - cut))).hi()) *
+                       size_bound(net);
   }
 
   static Interval up_to(double x) { return Interval::from_bounds(-x, x); }

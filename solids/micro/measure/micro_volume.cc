@@ -225,9 +225,8 @@ Result<MicroVolume> volume_of(const Microstructure& micro, const VModel& cage, u
   out.bridges = clamped(out.bridges, 0, kInfinite);
   out.cells = clamped(out.cells, out.tiles.lo(), kInfinite);
   out.solid = out.tiles + out.bridges;
-  out.density = out.cells.lo() > 0
-                    ? clamped(out.tiles / out.cells, 0, 1) + out.bridges / out.cells
-                    : Interval::from_bounds(0, kInfinite);
+  out.density = out.cells.lo() > 0 ? clamped(out.tiles / out.cells, 0, 1) + out.bridges / out.cells
+                                   : Interval::from_bounds(0, kInfinite);
   return out;
 }
 

@@ -73,6 +73,24 @@ Interval slope_bound(const BezierSurface<Interval>& net, std::size_t component, 
   return Interval(most) * Interval(static_cast<double>(net.degree(axis)));
 }
 
+// The box of a bridge's net.
+std::array<TilePoint, 2> corners_of(const MicroBridge& bridge) {
+  std::array<TilePoint, 2> out = {bridge.points.front(), bridge.points.front()};
+  for (const TilePoint& p : bridge.points)
+    for (std::size_t a = 0; a < 3; ++a) {
+      out[0][a] = std::min(out[0][a], p[a]);
+      out[1][a] = std::max(out[1][a], p[a]);
+    }
+  return out;
+}
+bool may_cross_knot(const VVolume& volume, const MicroBridge& bridge) {
+  const auto [lo, hi] = corners_of(bridge);
+  for (std::size_t a = 0; a < 3; ++a)
+    for (const Rational& t : volume.axis(a).knots)
+      if (lo[a] < t && t < hi[a]) return true;
+  return false;
+}
+
 class OneBridge {
  public:
   OneBridge(const Microstructure& micro, const MicroBridge& bridge, SpanDeterminants& determinants,
@@ -108,15 +126,6 @@ class OneBridge {
   }
 
  private:
-  static std::array<TilePoint, 2> corners_of(const MicroBridge& bridge) {
-    std::array<TilePoint, 2> out = {bridge.points.front(), bridge.points.front()};
-    for (const TilePoint& p : bridge.points)
-      for (std::size_t a = 0; a < 3; ++a) {
-        out[0][a] = std::min(out[0][a], p[a]);
-        out[1][a] = std::max(out[1][a], p[a]);
-      }
-    return out;
-  }
   // The longer axis of a part, approximately: it is bent little.
   static std::size_t longer_axis(const BezierSurface<Interval>& net) {
     double most[2] = {0, 0};
@@ -255,6 +264,10 @@ class OneBridge {
 Interval volume_of_bridges(const Microstructure& micro, const std::vector<int>& hands,
                            double enough, unsigned jobs) {
   SpanDeterminants determinants(micro);
+  const auto crossing =
+      std::count_if(micro.bridges.begin(), micro.bridges.end(),
+                    [&](const MicroBridge& b) { return may_cross_knot(micro.cage[b.volume], b); });
+  if (crossing > 0) enough /= static_cast<double>(crossing);
   const std::size_t count = micro.bridges.size();
   std::vector<Interval> sums(num_chunks(count, kBridgesInChunk));
   parallel_for(count, kBridgesInChunk, jobs,

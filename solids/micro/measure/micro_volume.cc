@@ -183,15 +183,14 @@ Interval clamped(const Interval& x, double lo, double hi) {
 }
 
 // Bridges that cross knots may add this part of the volume of the tiles to the width of the bounds.
-constexpr double kSmallWidth = 0x1p-32;
+constexpr double kSmallWidth = 0x1p-31;
 
 Interval bridges_beside(const Microstructure& micro, const VModel& cage, const Interval& tiles,
                         unsigned jobs) {
   std::vector<int> hands;
   for (std::uint32_t v = 0; v < micro.cage.size(); ++v)
     hands.push_back(cage.hand(v) == Sign::kNegative ? -1 : 1);
-  const double enough = kSmallWidth * mag(tiles) / static_cast<double>(micro.bridges.size());
-  return internal::volume_of_bridges(micro, hands, enough, jobs);
+  return internal::volume_of_bridges(micro, hands, kSmallWidth * mag(tiles), jobs);
 }
 
 }  // namespace

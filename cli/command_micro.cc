@@ -420,6 +420,10 @@ class MicroRun {
       report_.density = bounds_of(v->density);
     }
     if (const auto s = scale_of(micro_, *model_)) report_.scale = {s->lo, s->hi};
+    if (solid_ && (options_.json || options_.output != "-")) {
+      const auto c = solid_->clearance_of(micro_, static_cast<unsigned>(options_.reading.jobs));
+      if (c && *c) report_.clearance = {(*c)->lo, (*c)->hi};
+    }
     report_.seconds.measure = watch.lap();
     return kExitValid;
   }

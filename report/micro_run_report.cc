@@ -97,6 +97,12 @@ std::string bounds_text(const MicroRunReport::Bounds& b) {
   return short_decimal(b.lo) + " to " + short_decimal(b.hi);
 }
 
+// Bounds that may be one per cent apart.
+std::string clearance_text(const MicroRunReport::Bounds& b) {
+  const std::string lo = short_decimal(b.lo), hi = short_decimal(b.hi);
+  return lo == hi ? lo : lo + " to " + hi;
+}
+
 Json outer_json(const std::optional<MicroRunReport::Outer>& outer) {
   if (!outer) return nullptr;
   return {{"total", outer->cells},       {"kept", outer->kept},
@@ -157,6 +163,7 @@ std::string micro_run_json(const MicroRunReport& r) {
   out["volume"] = micro_bounds_json(r.volume);
   out["density"] = micro_bounds_json(r.density);
   out["scale"] = micro_bounds_json(r.scale);
+  out["clearance"] = micro_bounds_json(r.clearance);
   out["mesh"] = mesh_of_run_json(r.mesh);
   out["composed"] = composed_json(r.composed);
   out["defects"] = std::move(defects);
@@ -189,6 +196,9 @@ std::string micro_run_text(const MicroRunReport& r) {
     text += detail_line("volume", bounds_text(*r.volume) + ", " +
                                       bounds_text({100 * r.density->lo, 100 * r.density->hi}) +
                                       " % of the cells");
+  if (r.clearance)
+    text += detail_line(
+        "clearance", clearance_text(*r.clearance) + " from the tiles to the surface of the model");
   if (r.wants_surface && r.kept == 0)
     text += detail_line("surface", "none is written, because no tile is kept");
   if (r.floating != 0)

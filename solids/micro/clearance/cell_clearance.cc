@@ -49,7 +49,7 @@ class CellSearch {
   }
 
   CellClearance run() {
-    reach_corners();
+    if (!(out_.hi < HUGE_VAL)) reach_corners();
     if (out_.is_bounded && out_.hi < HUGE_VAL) start();
     while (out_.is_bounded && !queue_.empty()) {
       if (queue_.top().bound >= least_worth() || out_.nodes >= most_nodes_) break;
@@ -140,7 +140,7 @@ class CellSearch {
     while (!left.empty()) {
       const std::uint32_t part = left.back();
       left.pop_back();
-      const double gap = view_->gap(part, points_);
+      const double gap = view_->gap(part, points_, enough);
       if (gap >= enough) {
         out_.lo = std::min(out_.lo, gap);
         continue;

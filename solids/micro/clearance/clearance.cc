@@ -52,7 +52,7 @@ class ClearanceSearch {
  public:
   ClearanceSearch(const Microstructure& micro, const SurfaceParts& surface, unsigned jobs,
                   const ClearanceLimits& limits)
-      : micro_(micro), surface_(surface), view_(surface.view()), jobs_(jobs), limits_(limits) {
+      : micro_(micro), surface_(surface), jobs_(jobs), limits_(limits) {
     for (const MicroTile& tile : micro.tiles) trees_.emplace_back(tile);
     for (const MicroGrid& grid : micro.grids) {
       auto& to = axes_.emplace_back();
@@ -135,10 +135,11 @@ class ClearanceSearch {
       is_bounded_ = is_finite(points_.box);
     }
     if (!is_bounded_) return;
+    // Boxes only: the search of a cell looks closer.
     double bound = known;
     surface_.visit_near(
         points_.box, [&] { return bound; },
-        [&](std::uint32_t part) { bound = std::min(bound, view_->gap(part, points_)); });
+        [&](std::uint32_t part) { bound = std::min(bound, surface_.distance(part, points_.box)); });
     block.bound = std::max(block.bound, bound);
     block.number = nodes_;
     if (!keeps_span) block.span = nullptr;
@@ -192,7 +193,6 @@ class ClearanceSearch {
 
   const Microstructure& micro_;
   const SurfaceParts& surface_;
-  std::unique_ptr<SurfaceView> view_;
   unsigned jobs_;
   const ClearanceLimits& limits_;
   std::vector<PatchTree> trees_;

@@ -68,7 +68,7 @@ class MeshView final : public SurfaceView {
  public:
   explicit MeshView(const MeshParts& parts) : parts_(parts) {}
   const Box3d& box(std::uint32_t part) const override;
-  double gap(std::uint32_t part, const NodePoints& points) const override;
+  double gap(std::uint32_t part, const NodePoints& points, double enough) const override;
   double reach(std::uint32_t part, const Box3& point) const override;
   std::uint32_t halves(std::uint32_t) override { return kNoHalves; }
 
@@ -79,13 +79,14 @@ class MeshView final : public SurfaceView {
 class MeshParts final : public SurfaceParts {
  public:
   explicit MeshParts(const TriangleMesh& mesh) : mesh_(mesh) {
-    boxes_.reserve(mesh.faces.size());
+    std::vector<Box3d> boxes;
+    boxes.reserve(mesh.faces.size());
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
       Box3d box = empty_box();
       for (const Vec3d& p : corners(f)) add(to_point(p), &box);
-      boxes_.push_back(box);
+      boxes.push_back(box);
     }
-    set_boxes(boxes_);
+    set_boxes(std::move(boxes));
   }
   std::unique_ptr<SurfaceView> view() const override { return std::make_unique<MeshView>(*this); }
 
@@ -93,23 +94,24 @@ class MeshParts final : public SurfaceParts {
     const auto& t = mesh_.faces[facet];
     return {mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]};
   }
-  const Box3d& box(std::uint32_t facet) const { return boxes_[facet]; }
+  const Box3d& box(std::uint32_t facet) const { return box_of_shared(facet); }
 
  private:
   const TriangleMesh& mesh_;
-  std::vector<Box3d> boxes_;
 };
 
 const Box3d& MeshView::box(std::uint32_t part) const { return parts_.box(part); }
 
 // Directions: the axes, the triangle's normal, and that from the triangle to the middle of the points.
-double MeshView::gap(std::uint32_t part, const NodePoints& points) const {
+double MeshView::gap(std::uint32_t part, const NodePoints& points, double enough) const {
+  double best = least_distance(parts_.box(part), points.box);
+  if (best >= enough) return best;
   const std::array<Vec3d, 3> t = parts_.corners(part);
   const std::array<Box3, 3> corners = {exact_point(t[0]), exact_point(t[1]), exact_point(t[2])};
   const Point3d a = to_point(t[0]), b = difference_of(to_point(t[1]), a),
                 c = difference_of(to_point(t[2]), a), middle = approx_centre(points.box);
-  double best = std::max(least_distance(parts_.box(part), points.box),
-                         gap_along(approx_normal(b, c), points, corners, {}));
+  best = std::max(best, gap_along(approx_normal(b, c), points, corners, {}));
+  if (best >= enough) return best;
   const std::array<double, 2> weights = near_weights(middle, t);
   Point3d to_middle = difference_of(middle, a);
   for (std::size_t k = 0; k < 3; ++k) to_middle[k] -= weights[0] * b[k] + weights[1] * c[k];
@@ -125,7 +127,7 @@ class PatchView final : public SurfaceView {
  public:
   explicit PatchView(const PatchParts& parts) : parts_(parts) {}
   const Box3d& box(std::uint32_t part) const override { return piece(part).box(); }
-  double gap(std::uint32_t part, const NodePoints& points) const override;
+  double gap(std::uint32_t part, const NodePoints& points, double enough) const override;
   double reach(std::uint32_t part, const Box3& point) const override;
   std::uint32_t halves(std::uint32_t part) override;
 
@@ -144,7 +146,7 @@ class PatchParts final : public SurfaceParts {
     pieces_ = pieces_of(complex, kSharedParts);
     std::vector<Box3d> boxes;
     for (const PatchPiece& piece : pieces_) boxes.push_back(piece.box());
-    set_boxes(boxes);
+    set_boxes(std::move(boxes));
   }
   std::unique_ptr<SurfaceView> view() const override { return std::make_unique<PatchView>(*this); }
   const std::vector<PatchPiece>& pieces() const { return pieces_; }
@@ -158,8 +160,10 @@ const PatchPiece& PatchView::piece(std::uint32_t part) const {
   return part < shared.size() ? shared[part] : own_[part - shared.size()];
 }
 
-double PatchView::gap(std::uint32_t part, const NodePoints& points) const {
+double PatchView::gap(std::uint32_t part, const NodePoints& points, double enough) const {
   const PatchPiece& p = piece(part);
+  double best = least_distance(p.box(), points.box);
+  if (best >= enough) return best;
   std::array<Point3d, 4> corner;
   for (std::size_t i = 0; i < 4; ++i) corner[i] = approx_middle(p.corners()[i]);
   const Point3d normal =
@@ -167,9 +171,9 @@ double PatchView::gap(std::uint32_t part, const NodePoints& points) const {
   Point3d to_middle = approx_centre(points.box);
   for (std::size_t c = 0; c < 3; ++c)
     to_middle[c] -= 0.25 * (corner[0][c] + corner[1][c] + corner[2][c] + corner[3][c]);
-  return std::max({least_distance(p.box(), points.box),
-                   gap_along(normal, points, p.corners(), p.excess()),
-                   gap_along(to_middle, points, p.corners(), p.excess())});
+  best = std::max(best, gap_along(normal, points, p.corners(), p.excess()));
+  if (best >= enough) return best;
+  return std::max(best, gap_along(to_middle, points, p.corners(), p.excess()));
 }
 
 // The corners are points of the part.

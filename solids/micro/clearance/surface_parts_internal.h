@@ -4,6 +4,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "solids/base/box_hierarchy.h"
@@ -22,8 +23,9 @@ class SurfaceView {
  public:
   virtual ~SurfaceView() = default;
   virtual const Box3d& box(std::uint32_t part) const = 0;
-  /// A lower bound of the distances between the hull of the points and the part.
-  virtual double gap(std::uint32_t part, const NodePoints& points) const = 0;
+  /// A lower bound of the distances between the hull of the points and the part; the first that is found to be at least
+  /// `enough`, or else the best one.
+  virtual double gap(std::uint32_t part, const NodePoints& points, double enough) const = 0;
   /// No point of the box is farther from some point of the part.
   virtual double reach(std::uint32_t part, const Box3& point) const = 0;
   /// The number of the first of both halves of a part, which follow each other; kNoHalves if it is not cut.
@@ -38,6 +40,10 @@ class SurfaceParts {
   virtual std::unique_ptr<SurfaceView> view() const = 0;
 
   bool is_empty() const { return tree_.order().empty(); }
+  /// Between the boxes of a shared part and another one.
+  double distance(std::uint32_t part, const Box3d& box) const {
+    return least_distance(boxes_[part], box);
+  }
   /// Calls visit(part) for every shared part whose box is nearer to the box than bound(), as long as it is.
   template <typename Bound, typename Visit>
   void visit_near(const Box3d& box, Bound bound, Visit visit) const {
@@ -50,9 +56,14 @@ class SurfaceParts {
   static std::unique_ptr<const SurfaceParts> of(const PatchComplex& complex);
 
  protected:
-  void set_boxes(const std::vector<Box3d>& boxes) { tree_ = BoxHierarchy(boxes); }
+  void set_boxes(std::vector<Box3d> boxes) {
+    tree_ = BoxHierarchy(boxes);
+    boxes_ = std::move(boxes);
+  }
+  const Box3d& box_of_shared(std::uint32_t part) const { return boxes_[part]; }
 
  private:
+  std::vector<Box3d> boxes_;
   BoxHierarchy tree_;
 };
 

@@ -9,8 +9,8 @@
 #include "io/model_file.h"
 #include "robust/base/result.h"
 #include "solids/base/verdict.h"
-#include "solids/micro/clearance/clearance.h"
 #include "solids/micro/filter/tile_filter.h"
+#include "solids/micro/inside/clearance.h"
 #include "solids/vmodel/v_model.h"
 #include "verify/certify/file_patches.h"
 

@@ -64,7 +64,7 @@ struct MicroRunReport {
   std::optional<Bounds> density;        ///< that volume over the volume of all cells
   /// The least and the greatest determinant of the cage's map from [0, 1]^3 over the cells with tiles, up to its sign.
   std::optional<Bounds> scale;
-  /// Of the tiles, in units of the model: the least distance from its surface.
+  /// The least distance of a tile from the surface of the model, in its units.
   std::optional<Bounds> clearance;
   std::optional<Mesh> mesh;
   std::optional<Composed> composed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/micro/clearance/clearance.h"
+#include "solids/micro/inside/clearance.h"
 
 #include <gtest/gtest.h>
 

@@ -30,8 +30,8 @@ class VolumePieces {
   explicit VolumePieces(const VVolume& volume);
 
   using Spans = std::array<std::size_t, 3>;  // numbers of knot spans
-  /// A span whose piece is the map on this box; nothing if there is none. Knots are examined when a box first crosses
-  /// one.
+  /// A span whose piece is the map on this box; nothing if the box crosses a knot that the map needs, or leaves the
+  /// domain. Knots are examined when a box first crosses one.
   /// @cost  a knot is compared span by span; it is enough that one pair of spans differs
   std::optional<Spans> span_around(const TilePoint& lo, const TilePoint& hi);
   /// REQUIRES numbers of spans.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/micro/inside/enclosed_patch_internal.h: patches of tiles in interval Bezier form. Internal to
-// solids/micro/inside and solids/micro/clearance.
+// solids/micro/inside.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/micro/inside/grid_spans_internal.h: where the cells of a grid lie between the knots of their volume. Internal
-// to solids/micro/inside and solids/micro/clearance.
+// to solids/micro/inside.
 #pragma once
 #include <cstddef>
 #include <vector>

@@ -219,7 +219,7 @@ Result<MicroVolume> volume_of(const Microstructure& micro, const VModel& cage, u
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   if (!(mag(out.tiles) < kInfinite && mag(out.cells) < kInfinite && mag(out.bridges) < kInfinite))
     return Error{Code::kNotFinite, {}, "the volume of the microstructure is not bounded"};
-  // None is negative, and the tiles lie in the cells.
+  // No volume is negative, and the tiles lie in the cells.
   out.tiles = clamped(out.tiles, 0, kInfinite);
   out.bridges = clamped(out.bridges, 0, kInfinite);
   out.cells = clamped(out.cells, out.tiles.lo(), kInfinite);

@@ -17,11 +17,12 @@ struct MicroVolume {
 };
 
 /// The tiles and bridges of a sound microstructure have no common inner points, so that their volumes may be added: the
-/// integral of the determinant over each. Numbers of walls enter by polynomials that are made once for each kind of tile; the
-/// determinant is a polynomial on each span between knots, expanded about each cell to an order that the span and its
-/// cells need. Bounds are less than 10^-9 apart, relatively, but for coarse cells of rational volumes whose weights
-/// vary along several axes (a few 10^-9 if a cell is a quarter of a turn along two axes), for polynomials of high degree
-/// that oscillate within a cell, and where many bridges cross creases of the cage. The result is the same for every number of jobs.
+/// integral of the determinant over each. Numbers of walls enter by polynomials that are made once for each kind of
+/// tile; the determinant is a polynomial on each span between knots, expanded about each cell to an order that the span
+/// and its cells need. Bounds are less than 10^-9 apart, relatively, but for coarse cells of rational volumes whose
+/// weights vary along several axes (a few 10^-9 if a cell is a quarter of a turn along two axes), for polynomials of
+/// high degree that oscillate within a cell, and where many bridges cross creases of the cage. The result is the same
+/// for every number of jobs.
 /// REQUIRES that the cage is that of micro, that the structure is certified, or that topology_of finds no defect
 /// and prove_bridges none; that determinants of the cage have one sign in each volume.
 /// @error kNotFinite: numbers beyond the range of binary64, or a weight that is not proved positive

@@ -14,7 +14,8 @@ struct NodeBasis {
   std::vector<Interval> weights;                    ///< half of the rule's
   std::vector<std::vector<Interval>> value, slope;  ///< by nodes
 };
-/// Of the least rule that is exact for polynomials of `integrand_degree`. REQUIRES degree >= 1, and a live ScopedUpward.
+/// The rule is the least one that is exact for polynomials of `integrand_degree`. REQUIRES degree >= 1, and a live
+/// ScopedUpward.
 NodeBasis node_basis(int degree, std::size_t integrand_degree);
 
 }  // namespace veritope::internal

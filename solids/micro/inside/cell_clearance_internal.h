@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/clearance/cell_clearance_internal.h: how far the tile of one cell is from a surface. Internal to
-// solids/micro/clearance.
+// solids/micro/inside/cell_clearance_internal.h: how far the tile of one cell is from a surface. Internal to
+// solids/micro/inside.
 #pragma once
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "solids/micro/clearance/clearance.h"
-#include "solids/micro/clearance/surface_parts_internal.h"
+#include "solids/micro/inside/clearance.h"
 #include "solids/micro/inside/enclosed_patch_internal.h"
 #include "solids/micro/inside/part_net_internal.h"
+#include "solids/micro/inside/surface_parts_internal.h"
 
 namespace veritope::internal {
 

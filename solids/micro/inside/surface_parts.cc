@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/micro/clearance/surface_parts_internal.h"
+#include "solids/micro/inside/surface_parts_internal.h"
 
 #include <algorithm>
 #include <array>

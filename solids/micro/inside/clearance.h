@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/clearance/clearance.h: how far the tiles of a microstructure are from the surface of the solid in which
+// solids/micro/inside/clearance.h: how far the tiles of a microstructure are from the surface of the solid in which
 // they lie. Design: docs/design/0085-bridges-in-measures-and-clearance.md.
 #pragma once
 #include <cstdint>

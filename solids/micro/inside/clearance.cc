@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Branch and bound over blocks of cells between knots, in the order of their bounds; cells that may be nearest are
 // searched in batches, so that threads share them and the result does not depend on their number.
-#include "solids/micro/clearance/clearance.h"
+#include "solids/micro/inside/clearance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include "interval/upward.h"
 #include "robust/base/parallel.h"
-#include "solids/micro/clearance/cell_clearance_internal.h"
+#include "solids/micro/inside/cell_clearance_internal.h"
 #include "solids/micro/inside/grid_spans_internal.h"
 #include "splines/blossom_weights.h"
 #include "splines/composition_span.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/clearance/surface_parts_internal.h: the surface of a solid as parts whose distances from other points
-// can be bounded. Internal to solids/micro/clearance.
+// solids/micro/inside/surface_parts_internal.h: the surface of a solid as parts whose distances from other points
+// can be bounded. Internal to solids/micro/inside.
 #pragma once
 #include <cstdint>
 #include <memory>

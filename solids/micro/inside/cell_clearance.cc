@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Branch and bound: nodes are boxes around patches, then patches and their halves, in the order of their bounds. Each
 // carries the parts of the surface that may be nearest to it.
-#include "solids/micro/clearance/cell_clearance_internal.h"
+#include "solids/micro/inside/cell_clearance_internal.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope micro.
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -417,7 +418,7 @@ class MicroRun {
     Stopwatch watch;
     if (const auto v = volume_of(micro_, *model_, static_cast<unsigned>(options_.reading.jobs))) {
       report_.volume = bounds_of(v->solid);
-      report_.density = bounds_of(v->density);
+      if (std::isfinite(v->density.hi())) report_.density = bounds_of(v->density);
     }
     if (const auto s = scale_of(micro_, *model_)) report_.scale = {s->lo, s->hi};
     if (solid_ && (options_.json || options_.output != "-")) {

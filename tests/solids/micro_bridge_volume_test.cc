@@ -168,6 +168,18 @@ TEST(BridgeVolume, AcrossAKnotOfASmoothMapItIsAsNear) {
   EXPECT_LE(relative_width_of(v.bridges), 1e-9);
 }
 
+TEST(BridgeVolume, CountsBeyondTheCellsToo) {
+  // A grid of one cell of four, which holds a post; its bridge leads out of the grid.
+  Posts posts(cube(0, 0, 0), {4, 1, 1}, {0});
+  MicroGrid& grid = posts.micro.grids[0];
+  grid.breaks[0].resize(2);
+  grid.tiles.resize(1);
+  posts.add({0, 0, 1}, quotient(5, 8));
+  const MicroVolume v = posts.volume();
+  EXPECT_TRUE(contains(v.density, quotient(1, 4) + quotient(5, 8)));
+  EXPECT_LE(relative_width_of(v.density), 1e-12);
+}
+
 TEST(BridgeVolume, ACreaseLeavesWiderBounds) {
   const VVolume volume =
       stretched(1, {quotient(1, 2)}, {Rational(0), quotient(1, 2), quotient(3, 2)}, 0);

@@ -44,8 +44,8 @@ struct ComposedPatch {
 /// cover, which lie in the interior of the structure: together they are a closed surface. S_u x S_v turns outward. A
 /// bridge is left out, and its cap stays, where its net is in no box of the parameters on which the map of the volume
 /// is one polynomial, or rational, map: where it crosses a knot that the map needs, its faces after the map are no
-/// patches with polynomial sides. Tiles of curves and sheets are composed as they are, in their own orientation. Nothing is
-/// rounded. Immutable.
+/// patches with polynomial sides. Tiles of curves and sheets are composed as they are, in their own orientation.
+/// Nothing is rounded. Immutable.
 class ComposedSurface {
  public:
   /// REQUIRES that the cage is that of micro, the analysed tiles are its tiles, each with at most 64 caps, that

@@ -193,6 +193,24 @@ Interval bridges_beside(const Microstructure& micro, const VModel& cage, const I
   return internal::volume_of_bridges(micro, hands, kSmallWidth * mag(tiles), jobs);
 }
 
+// Whether the grids of all volumes with bridges fill their parameters; they do not overlap.
+bool cells_hold_bridges(const Microstructure& micro) {
+  std::vector<Rational> filled(micro.cage.size());
+  for (const MicroGrid& grid : micro.grids) {
+    Rational size(1);
+    for (const auto& breaks : grid.breaks) size *= breaks.back() - breaks.front();
+    filled[grid.volume] += size;
+  }
+  return std::all_of(micro.bridges.begin(), micro.bridges.end(), [&](const MicroBridge& b) {
+    Rational size(1);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const KnotAxis<Rational>& axis = micro.cage[b.volume].axis(a);
+      size *= axis.domain_end() - axis.domain_begin();
+    }
+    return filled[b.volume] == size;
+  });
+}
+
 }  // namespace
 
 Result<MicroVolume> volume_of(const Microstructure& micro, const VModel& cage, unsigned jobs) {
@@ -226,6 +244,7 @@ Result<MicroVolume> volume_of(const Microstructure& micro, const VModel& cage, u
   out.solid = out.tiles + out.bridges;
   out.density = out.cells.lo() > 0 ? clamped(out.tiles / out.cells, 0, 1) + out.bridges / out.cells
                                    : Interval::from_bounds(0, kInfinite);
+  if (cells_hold_bridges(micro)) out.density = clamped(out.density, 0, 1);
   return out;
 }
 

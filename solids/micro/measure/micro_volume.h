@@ -13,7 +13,8 @@ struct MicroVolume {
   Interval bridges;  ///< of the union of all bridges
   Interval solid;    ///< of both together
   Interval cells;    ///< of the images of all cells of all grids, whether they hold a tile or not
-  Interval density;  ///< of solid / cells
+  /// Contains solid / cells; its upper bound may be infinite where bridges lead out of all cells.
+  Interval density;
 };
 
 /// The tiles and bridges of a sound microstructure have no common inner points, so that their volumes may be added: the

@@ -69,6 +69,20 @@ class MicroBridged(support.Folder):
         self.assertGreater(report["volume"]["lo"], without["volume"]["hi"] + 0.5)
         self.assertAlmostEqual(report["density"]["lo"] * 64, report["volume"]["lo"])
 
+    def test_bridges_into_a_glued_volume_are_composed_with_its_map(self):
+        cage, path = self.folder / "split.vjson", self.folder / "surface.vjson"
+        self.assertEqual(run("cage", "split", "--of", self.box, "--at", "u=1/2", "-o", cage).returncode, 0)
+        x, y = ("0.5", "2.6"), ("0.5", "3.5")
+        self.solid.write_text("OFF\n8 6 0\n" + "".join(f"{a} {b} {c}\n" for c in y for b in y for a in x) +
+                              "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n")
+        report = self.micro("--emit", path, cage=cage, counts="2,4,4")
+        across = [b for b in json.loads(self.out.read_text())["bridges"] if (b["grid"], b["volume"]) == (0, 1)]
+        self.assertEqual((len(across), report["bridges"]["built"], report["composed"]["bridges"]), (4, 16, 16))
+        file = support.only_file(path, timeout=600)
+        self.assertEqual((file["verdict"], file["counts"]["shells"], file["counts"]["genus"]), ("VALID", report["shells"], report["genus"]))
+        self.assertLessEqual(report["volume"]["lo"], file["volume"]["hi"])
+        self.assertGreaterEqual(report["volume"]["hi"], file["volume"]["lo"])
+
     def test_formats_hold_the_same_faces_for_every_number_of_jobs(self):
         for ending in ("vjson", "itd", "vtu"):
             path, texts = self.folder / f"surface.{ending}", []

@@ -92,22 +92,25 @@ MadePart part_of(const ComposedSurface& surface, std::size_t begin, std::size_t 
     const ComposedCell& cell = surface.cells()[n];
     for (const ComposedPatch& p : composed[n - begin])
       if (out.status)
-        out.status = out.part.add(
-            p.surface, {cell.grid, static_cast<std::int64_t>(cell.cell), cell.tile, p.patch});
+        out.status =
+            out.part.add(p.surface, {cell.grid, static_cast<std::int64_t>(cell.cell), cell.tile,
+                                     p.bridge ? std::int64_t{*p.bridge} : -1, p.patch});
   }
   return out;
 }
 MadePart part_of(const Microstructure& micro, const std::vector<CurveBridge>& bridges) {
   MadePart out;
-  for (const CurveBridge& b : bridges)
-    if (out.status)
-      out.status = out.part.add(surface_of(b), {b.end.grid, static_cast<std::int64_t>(b.end.cell),
-                                                micro.grids[b.end.grid].tiles[b.end.cell] - 1, -1});
+  for (std::size_t n = 0; n < bridges.size() && out.status; ++n) {
+    const CurveBridge& b = bridges[n];
+    out.status = out.part.add(surface_of(b), {b.end.grid, static_cast<std::int64_t>(b.end.cell),
+                                              micro.grids[b.end.grid].tiles[b.end.cell] - 1,
+                                              static_cast<std::int64_t>(n), 0});
+  }
   return out;
 }
 Status emit_cells(const ComposedSurface& surface, const Microstructure& micro,
                   const std::vector<CurveBridge>& bridges, unsigned jobs, StreamedOutput& output) {
-  PatchCells cells({"grid", "cell", "tile", "patch"});
+  PatchCells cells({"grid", "cell", "tile", "bridge", "patch"});
   const std::size_t bridge_points = 3 * bridges.size();
   Status status = output.write(PatchCells::begin(surface.num_points() + bridge_points,
                                                  surface.num_patches() + bridges.size()));

@@ -62,6 +62,12 @@ double MicroSolid::default_skin() const {
   return mesh() != nullptr ? veritope::default_skin(*mesh()) : veritope::default_skin(*complex());
 }
 
+Result<std::optional<Clearance>> MicroSolid::clearance_of(const Microstructure& micro,
+                                                          unsigned jobs) const {
+  if (mesh() != nullptr) return veritope::clearance_of(micro, *mesh(), jobs);
+  return veritope::clearance_of(micro, *complex(), jobs);
+}
+
 Result<std::optional<MicroSolid::Escape>> MicroSolid::escape_from(const VModel& cage) const {
   const auto told = [](const std::string& part, const std::optional<std::string>& outside,
                        const std::optional<VFaceNumber>& face) {

@@ -10,6 +10,7 @@
 #include "robust/base/result.h"
 #include "solids/base/verdict.h"
 #include "solids/micro/filter/tile_filter.h"
+#include "solids/micro/inside/clearance.h"
 #include "solids/vmodel/v_model.h"
 #include "verify/certify/file_patches.h"
 
@@ -43,6 +44,10 @@ class MicroSolid {
   Result<TileFilter> filter() const;
   /// How near to the surface bridges end unless an option says so. REQUIRES !fault().
   double default_skin() const;
+
+  /// How far the tiles are from the surface. REQUIRES !fault(), and as veritope::clearance_of.
+  /// @error as veritope::clearance_of
+  Result<std::optional<Clearance>> clearance_of(const Microstructure& micro, unsigned jobs) const;
 
   struct Escape {
     std::string message;              ///< "triangle 5 does not lie inside of the cage: ..."

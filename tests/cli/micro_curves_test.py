@@ -91,7 +91,7 @@ class MicroCurves(support.Folder):
                 texts.append(path.read_bytes())
             self.assertEqual(texts[0], texts[1])
             if ending == "vtu":
-                numbers = {name: texts[0].split(f'Name="{name}"'.encode())[1].split(b"</DataArray>")[0].split(b">", 1)[1].split() for name in ("patch", "tile", "types")}
+                numbers = {name: texts[0].split(f'Name="{name}"'.encode())[1].split(b"</DataArray>")[0].split(b">", 1)[1].split() for name in ("patch", "bridge", "tile", "types")}
                 self.assertEqual((len(numbers["patch"]), len(numbers["bridge"]) - numbers["bridge"].count(b"-1"), set(numbers["tile"]), set(numbers["types"])), (120, 24, {b"0"}, {b"75"}))
             else:
                 (info,) = json.loads(run("info", path, "--json", "-").stdout)["files"]

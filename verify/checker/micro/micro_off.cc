@@ -5,6 +5,7 @@
 namespace {
 
 const int kMostLevelOff = 60;
+const size_t kMostBlocksKept = 1 << 22;  // for I2
 
 }  // namespace
 
@@ -22,7 +23,8 @@ void OffSurface::check_block(const MicroGrid& g, const size_t* box, const CellBl
   const bool is_off = surface_.misses_block(hull, &pairs_);
   add_nodes(0);
   if (is_off) {
-    if (surface_.has_patches()) passed_.insert(key_of(g, block));
+    if (surface_.has_patches() && passed_.size() < kMostBlocksKept)
+      passed_.insert(key_of(g, block));
     return;
   }
   if (block.is_cell()) return check_cell(g, block.lo, cell);

@@ -5,7 +5,7 @@ namespace {
 
 const int kMostLevelOfPatch = 60, kMostLevelNear = 24;
 // Of nodes that are kept for the next question; of those of one question.
-const size_t kMostNumbers = 1 << 25, kMostNumbersOfOne = 1 << 27;
+const size_t kMostNumbers = 1 << 25, kMostNumbersOfOne = 1 << 26;
 const uint64_t kMostPairsOfOne = 1 << 30;  // of one question
 
 double extent(const DoubleBox& b) {

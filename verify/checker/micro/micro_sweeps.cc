@@ -4,6 +4,9 @@
 
 namespace {
 
+// Limits of this checker, of the work of Q2.
+const uint64_t kFreeWork = uint64_t(1) << 34, kWorkOfSweep = 1 << 18;
+
 // A number that differs from v by at most e. Any rounding of what is computed here is far less than 2^-48 of a result's
 // size.
 struct Near {
@@ -203,6 +206,11 @@ class GrowthCheck {
       cell_[a][1] = parts->break_in(g, box, a, i[a] + 1);
     }
   }
+  // Products of coefficients on the slab: those on the wall are fewer.
+  uint64_t work() const {
+    const uint64_t count = jet_.map.v.size() / jet_.map.stride;
+    return jet_.map.stride == 4 ? 18 * count * count : 27 * count;
+  }
   void check_slab() const {
     const Span &begin = cell_[axis_][0], &end = cell_[axis_][1];
     const double more = std::ldexp(1.0, -46);  // the ends are at most 1
@@ -270,8 +278,11 @@ class GrowthCheck {
 
 }  // namespace
 
-void check_growth(TileParts* parts, const MicroSweep& sweep, uint64_t number) {
+void check_growth(TileParts* parts, const MicroSweep& sweep, uint64_t number, uint64_t* work) {
   const GrowthCheck check(parts, sweep, number);
+  *work += check.work();
+  require(*work <= kFreeWork + kWorkOfSweep * parts->file().sweeps.size(), "Q2",
+          "this checker has a limit of products of coefficients:", *work);
   check.check_slab();
   check.check_axis();
 }
@@ -281,11 +292,12 @@ void check_sweeps(const MicroFile& file, const std::vector<bool>& is_meeting) {
   VolumeMaps maps(file.cage);
   TileParts parts(file, &maps);
   SweepPairs pairs(&parts);
+  uint64_t work = 0;
   for (size_t i = 0; i < file.sweeps.size(); ++i) {
     const MicroSweep& b = file.sweeps[i];
     patch_of_cap(file, b.grid, b.cell, b.wall, "Q1", i);
     require(!is_meeting[i], "Q1", "the cap is equal to another one, of sweep", i);
-    check_growth(&parts, b, i);
+    check_growth(&parts, b, i, &work);
     pairs.check_tiles(b, i);
   }
   pairs.check_sweeps();

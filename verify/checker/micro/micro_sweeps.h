@@ -3,8 +3,8 @@
 #pragma once
 #include "micro_parts.h"
 
-// Q2 for the sweep with this number.
-void check_growth(TileParts* parts, const MicroSweep& sweep, uint64_t number);
+// Q2 for the sweep with this number. *work: products of numbers, of all sweeps.
+void check_growth(TileParts* parts, const MicroSweep& sweep, uint64_t number, uint64_t* work);
 
 // A tree of blocks of cells, whose nodes are made when they are needed.
 class BlockTree {
@@ -19,15 +19,15 @@ class BlockTree {
   struct Node {
     uint32_t grid, knots[3];
     CellBlock block;
-    DoubleBox box;   // contains the block's points
-    uint32_t child;  // the first half; 0: not made yet
-    bool is_held;    // a cell holds a tile
+    DoubleBox box;           // contains the block's points
+    uint32_t number, child;  // of the node and of its first half in nodes_, if they are there
+    bool is_held;            // a cell holds a tile
   };
   Node make(uint32_t grid, const uint32_t* knots, const CellBlock& block);
-  void tidy();  // drops nodes if there are many
+  std::pair<Node, Node> halves(const Node& node);
 
   TileParts& parts_;
-  std::vector<Node> nodes_;  // first those of boxes of knots
+  std::vector<Node> nodes_;  // first those of boxes of knots; not too many
   size_t roots_ = 0;
   std::unique_ptr<const BoxTree> tree_;
 };
@@ -40,8 +40,11 @@ class SweepPairs {
   void check_sweeps();                                         // Q4
 
  private:
+  struct Node;
+  typedef std::shared_ptr<Node> Pointer;
   class Nodes;
-  void descend(Nodes* a, Nodes* b, const char* id, uint64_t number);
+  void descend(Nodes* a, const Pointer& first, Nodes* b, const Pointer& second, const char* id,
+               uint64_t number);
   void add_pair(const char* id) {
     require(++pairs_ <= most_pairs_, id, "this checker has a limit of pairs of nodes");
   }

@@ -23,6 +23,19 @@ def box(kind, half, centre=HALF):
     return kind().box((centre - half,) * 3, (centre + half,) * 3)
 
 
+def weighted():
+    """Weights of corners that are far from 1."""
+    solid = Patches()
+    solid.weight = lambda p: 1 + abs(Q(p[0])) * 3 + abs(Q(p[1])) / 7
+    return solid
+
+
+def triangles():
+    solid = Patches()
+    solid.are_triangles = True
+    return solid
+
+
 class InPatches(inside.Judged):
     """A tile in boxes of six patches."""
 
@@ -31,6 +44,22 @@ class InPatches(inside.Judged):
             self.accept(middle(), box(Patches, half))
         for half in (Q(1, 6), Q(1, 6) - Q(1, 1 << 30), Q(1, 8)):
             self.reject(middle(), box(Patches, half), "I1")
+
+    def test_rational_patches_and_triangles(self):
+        for kind in (weighted, triangles):
+            for half in (Q(1, 5), 3, Q(1, 6) + Q(1, 1 << 28)):
+                self.accept(middle(), box(kind, half))
+            for half in (Q(1, 6), Q(1, 8)):
+                self.reject(middle(), box(kind, half), "I1")
+            self.reject(middle(), kind().box((2, 2, 2), (3, 3, 3)), "I2")
+            hole = ((Q(1, 8),) * 3, (Q(1, 4),) * 3)
+            solid = box(kind, HALF).box(*hole, inward=True)
+            self.accept(middle(), solid, voids=[Void((Q(3, 16), Q(7, 32), Q(13, 64)))])
+            self.reject(middle(), solid, "I3", voids=[Void((Q(3, 32), Q(7, 32), Q(13, 64)))])
+            micro = middle()
+            micro.sweeps = [straight((Q(1, 4), 0, 0), 13, 1, speed=8)]
+            self.accept(micro, box(kind, Q(7, 16)), skin="1/30")
+            self.reject(micro, box(kind, Q(7, 16)), "I4", skin="1/49")
 
     def test_outside(self):
         self.reject(middle(), Patches().box((2, 2, 2), (3, 3, 3)), "I2")

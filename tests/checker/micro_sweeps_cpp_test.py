@@ -292,6 +292,43 @@ class Sweeps(Judged):
         curved = [Sweep(cell, 5, (x, 0, 1), (0, 0, 2)) for cell, x in ((0, -Q(1, 4)), (1, Q(1, 4)))]
         self.accept(Micro([grid], [mf.rod()], sweeps=curved), 2, 2, 0, 2, 2, 0)
 
+    def test_random_prisms(self):
+        """Straight sweeps and rods are convex: they are disjoint if and only if the normal of a face of one, or a product of two edges, parts them."""
+        rng = random.Random(int(os.environ.get("VT_SEED", "20261203")))
+        n, seen = 5, set()
+        for turn in range(80):
+            cells = rng.sample(list(itertools.product(range(n), repeat=3)), 3)
+            grid = Grid([[Q(i, n) for i in range(n + 1)]] * 3, dict.fromkeys(cells, 0))
+            bodies, sweeps, own = [], [], []
+            low, high = Q(1, 4 * n), Q(3, 4 * n)
+            for cell in cells:
+                x, y, z = (Q(i, n) for i in cell)
+                bodies.append([(x + u, y + v, z + w) for u in (low, high) for v in (low, high) for w in (0, Q(1, n))])
+                own.append(cell)
+            for cell in sorted(rng.sample(cells, rng.choice((1, 2, 3)))):
+                if tuple(c + (k == 2) for k, c in enumerate(cell)) in cells:
+                    continue
+                direction = (Q(rng.randint(-8, 8), 16), Q(rng.randint(-8, 8), 16), Q(rng.randint(4, 12), 16))
+                number = (cell[0] * n + cell[1]) * n + cell[2]
+                sweeps.append(straight(direction, number, 5, speed=direction[2]))
+                x, y, z = Q(cell[0], n), Q(cell[1], n), Q(cell[2] + 1, n)
+                base_points = [(x + u, y + v, z) for u in (low, high) for v in (low, high)]
+                bodies.append(base_points + [tuple(a + b for a, b in zip(p, direction)) for p in base_points])
+                own.append(cell)
+            glued = sum(tuple(c + (k == 2) for k, c in enumerate(cell)) in cells for cell in cells)
+            condition = None
+            for i, j in itertools.combinations(range(len(bodies)), 2):
+                if j >= 3 and own[i] != own[j] and not are_apart(bodies[i], bodies[j]):
+                    condition = "Q3" if i < 3 else condition or "Q4"
+            with self.subTest(turn=turn, cells=cells, sweeps=[b.json() for b in sweeps]):
+                seen.add((condition, len(sweeps) > 1))
+                micro = Micro([grid], [mf.rod()], sweeps=sweeps)
+                if condition:
+                    self.reject(micro, condition)
+                else:
+                    self.accept(micro, n ** 3, 3, glued, 3 - glued, 3 - glued, 0)
+        self.assertLessEqual({(None, True), ("Q3", True), ("Q4", True)}, seen)
+
     def test_the_first_sweep_that_fails_is_named(self):
         grid = Grid([[Q(i, 2) for i in range(3)], [0, 1], [Q(i, 4) for i in range(5)]], {(0, 0, 0): 0, (1, 0, 0): 0, (0, 0, 3): 0})
         long, bad = straight((0, 0, 2)), straight((0, 0, 2), 4, speed=2, matrix=(0,) * 9)
@@ -325,6 +362,17 @@ class Sweeps(Judged):
         text = bridged.text(sweeps="[]", materials="[]")
         body = mf.hints(bridged.tiles, bridged.bridges) + mf.cage_body(bridged.cage_text(), base.VERITOPE)
         self.judge(text, mf.certificate(text, body, {**dict(zip(mf.NUMBERS, (4, 1, 0, 1, 1, 0))), "bridges": 1}), 0, "ACCEPT")
+
+
+def are_apart(first, second):
+    """For two parallelepipeds, by their corners in the order of three binary digits."""
+    edges = [[mf.subtract(body[1 << k], body[0]) for k in range(3)] for body in (first, second)]
+    normals = [mf.cross(of[a], of[b]) for of in edges for a, b in ((0, 1), (1, 2), (2, 0))] + [mf.cross(a, b) for a in edges[0] for b in edges[1]]
+    for normal in normals:
+        low, high = ([sum(a * b for a, b in zip(normal, p)) for p in body] for body in (first, second))
+        if max(low) < min(high) or max(high) < min(low):
+            return True
+    return False
 
 
 def bent(curve, across, width):

@@ -415,13 +415,13 @@ def zigzag(z):
     return varint(2 * z if z >= 0 else -2 * z - 1)
 
 
-def in_version_2(body, patches):
-    """A body of star-box-1 about surfaces without inner breaks, as one of star-box-2."""
+def in_version_2(body, patches, are_triangles=False):
+    """A body of star-box-1 about surfaces without inner breaks, or triangles, as one of star-box-2."""
     cursor = Cursor(body)
     cursor.take(8)
-    out = [b"VTS2", body[4:8], b"".join(bytes([1, flag]) for flag in cursor.take(patches))]
+    out = [b"VTS2", body[4:8], b"".join(bytes([1 + are_triangles, flag]) for flag in cursor.take(patches))]
     begin = cursor.at
-    cursor.take(patches * 2 * (4 + 2 * 2) + 2 * patches)   # breaks 0 and 1 for each axis, and the roots
+    cursor.take((0 if are_triangles else patches * 2 * (4 + 2 * 2)) + 2 * patches)    # breaks 0 and 1 for each axis, and the roots
     cursor.varint()
     out += [body[begin:cursor.at], bytes(4)]
     count = cursor.take(4)
@@ -491,8 +491,9 @@ class Mesh:
 
 
 class Patches:
-    """Polynomial patches in a .vjson file."""
-    format, options = "vjson", ()                          # options: of the program that certifies them
+    """Patches in a .vjson file. weight: of a control point, from 1 everywhere if it is None. are_triangles: patches of the degrees (1, 1) become
+    two triangles each. options: of the program that certifies them."""
+    format, options, weight, are_triangles = "vjson", (), None, False
 
     def __init__(self, patches=()):
         self.patches = list(patches)
@@ -511,11 +512,20 @@ class Patches:
         return self
 
     def text(self):
-        return surfaces(self)
+        model = json.loads(surfaces(self))
+        if self.weight is not None:
+            for of, s in zip(model["entities"], self.patches):
+                points = [[*(c * self.weight(p) for c in p), self.weight(p)] for p in s.points[0]]
+                of["shape"].update(rational=True, components=4, points=[[str(c) for c in p] for p in points])
+        if self.are_triangles:
+            corners = [[s.points[0][i] for i in of] for s in self.patches for of in ((0, 2, 3), (0, 3, 1))]
+            model["entities"] = [{"kind": "triangle", "group": None, "attributes": [], "shape": {
+                "degree": 1, "rational": False, "components": 3, "points": [[str(c) for c in p] for p in of]}} for of in corners]
+        return json.dumps(model)
 
     def body(self, veritope):
         body = certified_body(self.text(), veritope, b"VTS", *self.options)
-        return body if body[3:4] == b"2" else in_version_2(body, len(self.patches))
+        return body if body[3:4] == b"2" else in_version_2(body, len(self.patches) * (1 + self.are_triangles), self.are_triangles)
 
 
 class Void:

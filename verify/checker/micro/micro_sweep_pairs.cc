@@ -107,29 +107,30 @@ void BlockTree::each_cell(
   }
 }
 
-struct SweepPairs::Node {
+struct PairNode {
   DoubleNet net;      // in the cell's unit cube
   double begin, end;  // of w
   int level;
   DoubleBox box;  // contains the points
   Span rows[6];   // the values of the rows of K, or of two, at the points
   bool is_known, is_passed;
-  Pointer half[2];  // kept for other pairs; of few levels
+  PairPointer half[2];  // kept for other pairs; of few levels
 };
 // Makes the nodes of a patch in a cell, or of a sweep.
-class SweepPairs::Nodes {
+class PairNodes {
  public:
   // The rows of these matrices; second: null if there is one.
-  Nodes(TileParts* parts, const CellNet& cell, const MicroSweep* first, const MicroSweep* second)
+  PairNodes(TileParts* parts, const CellNet& cell, const MicroSweep* first,
+            const MicroSweep* second)
       : parts_(*parts), cell_(cell), matrix_{first, second} {}
 
   // sweep: null for a patch; nodes that lie in the slab of `slab` are passed over.
-  Pointer start(const DoubleNet& net, const SweepPart* sweep, const MicroSweep* slab) {
+  PairPointer start(const DoubleNet& net, const SweepPart* sweep, const MicroSweep* slab) {
     sweep_ = sweep, slab_ = slab;
     return make(net, 0, 1, 0);
   }
   size_t rows() const { return matrix_[1] != nullptr ? 6 : 3; }
-  void halve(const Pointer& node, Pointer* half) {
+  void halve(const PairPointer& node, PairPointer* half) {
     half[0] = node->half[0], half[1] = node->half[1];
     if (half[0] != nullptr) return;
     const int level = node->level;
@@ -146,8 +147,8 @@ class SweepPairs::Nodes {
   }
 
  private:
-  Pointer make(DoubleNet net, double begin, double end, int level) {
-    const Pointer r = std::make_shared<Node>();
+  PairPointer make(DoubleNet net, double begin, double end, int level) {
+    const PairPointer r = std::make_shared<PairNode>();
     r->begin = begin, r->end = end, r->level = level;
     if (sweep_ != nullptr)
       sweep_->set_points(net, begin, end, &hull_);
@@ -183,13 +184,13 @@ SweepPairs::SweepPairs(TileParts* parts)
       blocks_(parts),
       most_pairs_((uint64_t(1) << 22) + (uint64_t(1) << 12) * file_.sweeps.size()) {}
 
-void SweepPairs::descend(Nodes* a, const Pointer& first, Nodes* b, const Pointer& second,
-                         const char* id, uint64_t number) {
-  std::vector<std::pair<Pointer, Pointer>> open(1, std::make_pair(first, second));
+void SweepPairs::descend(PairNodes* a, const PairPointer& first, PairNodes* b,
+                         const PairPointer& second, const char* id, uint64_t number) {
+  std::vector<std::pair<PairPointer, PairPointer>> open(1, std::make_pair(first, second));
   while (!open.empty()) {
-    const std::pair<Pointer, Pointer> at = std::move(open.back());
+    const std::pair<PairPointer, PairPointer> at = std::move(open.back());
     open.pop_back();
-    const Node &x = *at.first, &y = *at.second;
+    const PairNode &x = *at.first, &y = *at.second;
     if (x.is_passed || !x.box.meets(y.box)) continue;
     add_pair(id);
     bool is_apart = false;
@@ -200,17 +201,17 @@ void SweepPairs::descend(Nodes* a, const Pointer& first, Nodes* b, const Pointer
             "it may meet a tile or another sweep: sweep", number);
     const bool is_first = y.level == kMostLevelOfPair ||
                           (x.level < kMostLevelOfPair && !(extent(x.box) < extent(y.box)));
-    Pointer half[2];
+    PairPointer half[2];
     (is_first ? a : b)->halve(is_first ? at.first : at.second, half);
-    for (const Pointer& h : half)
+    for (const PairPointer& h : half)
       open.push_back(is_first ? std::make_pair(h, at.second) : std::make_pair(at.first, h));
   }
 }
 
 void SweepPairs::check_tiles(const MicroSweep& sweep, uint64_t number) {
   const SweepPart part(&parts_, sweep, number, "Q3");
-  Nodes of_sweep(&parts_, part.cell(), &sweep, nullptr);
-  const Pointer whole = of_sweep.start(part.cap(), &part, nullptr);
+  PairNodes of_sweep(&parts_, part.cell(), &sweep, nullptr);
+  const PairPointer whole = of_sweep.start(part.cap(), &part, nullptr);
   boxes_.push_back(whole->box);
   PointHull hull;
   blocks_.each_cell(
@@ -223,9 +224,9 @@ void SweepPairs::check_tiles(const MicroSweep& sweep, uint64_t number) {
           if (v.hi < whole->rows[r].lo || whole->rows[r].hi < v.lo) return;
         }
         const size_t tile = g.tile[g.cell(i)] - size_t(1);
-        Nodes of_patch(&parts_, cell, &sweep, nullptr);
+        PairNodes of_patch(&parts_, cell, &sweep, nullptr);
         for (size_t s = 0; s < file_.tiles[tile].patches.size(); ++s) {
-          const Pointer patch =
+          const PairPointer patch =
               of_patch.start(parts_.patch_in(g, i, tile, s), nullptr, is_own ? &sweep : nullptr);
           descend(&of_patch, patch, &of_sweep, whole, "Q3", number);
         }
@@ -241,9 +242,9 @@ void SweepPairs::check_sweeps() {
       const MicroSweep &a = file_.sweeps[i], &b = file_.sweeps[j];
       if (part == nullptr) part.reset(new SweepPart(&parts_, a, i, "Q4"));
       const SweepPart other(&parts_, b, j, "Q4");
-      Nodes of_part(&parts_, part->cell(), &a, &b), of_other(&parts_, other.cell(), &a, &b);
-      const Pointer first = of_part.start(part->cap(), part.get(), nullptr),
-                    second = of_other.start(other.cap(), &other, nullptr);
+      PairNodes of_part(&parts_, part->cell(), &a, &b), of_other(&parts_, other.cell(), &a, &b);
+      const PairPointer first = of_part.start(part->cap(), part.get(), nullptr),
+                        second = of_other.start(other.cap(), &other, nullptr);
       descend(&of_part, first, &of_other, second, "Q4", i);
       return true;
     });

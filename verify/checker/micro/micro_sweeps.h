@@ -32,6 +32,10 @@ class BlockTree {
   std::unique_ptr<const BoxTree> tree_;
 };
 
+struct PairNode;  // of a patch in a cell, or of a sweep
+typedef std::shared_ptr<PairNode> PairPointer;
+class PairNodes;  // makes them
+
 // Q3 for sweeps, one by one, then Q4.
 class SweepPairs {
  public:
@@ -40,11 +44,8 @@ class SweepPairs {
   void check_sweeps();                                         // Q4
 
  private:
-  struct Node;
-  typedef std::shared_ptr<Node> Pointer;
-  class Nodes;
-  void descend(Nodes* a, const Pointer& first, Nodes* b, const Pointer& second, const char* id,
-               uint64_t number);
+  void descend(PairNodes* a, const PairPointer& first, PairNodes* b, const PairPointer& second,
+               const char* id, uint64_t number);
   void add_pair(const char* id) {
     require(++pairs_ <= most_pairs_, id, "this checker has a limit of pairs of nodes");
   }

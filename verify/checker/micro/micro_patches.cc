@@ -160,10 +160,9 @@ bool SplinePatches::misses(const PointHull& hull, uint64_t* pairs) {
     const Node& node = nodes_[i];
     if (!node.hull.box.meets(hull.box)) continue;
     ++*pairs;
-    if (node.hull.is_known) {
-      const Values v = values_of(hull, &node.hull.p[0], node.n, node.error);
-      if (v.most < node.least || node.most < v.least) continue;
-    }
+    if (!node.hull.is_known) return false;  // its halves would hardly be
+    const Values v = values_of(hull, &node.hull.p[0], node.n, node.error);
+    if (v.most < node.least || node.most < v.least) continue;
     if (node.level == kMostLevelOfPatch || !(extent(node.hull.box) > least) ||
         *pairs - before > kMostPairsOfOne || numbers_ > kMostNumbersOfOne)
       return false;
@@ -177,7 +176,11 @@ bool SplinePatches::is_near(const PointHull& hull, double most, uint64_t* pairs)
   if (!hull.is_known) return false;
   tidy();
   DoubleBox grown = hull.box;
-  for (size_t k = 0; k < 3; ++k) grown.lo[k] -= most, grown.hi[k] += most;
+  double middle[3];
+  for (size_t k = 0; k < 3; ++k) {
+    middle[k] = hull.box.lo[k] / 2 + hull.box.hi[k] / 2;
+    grown.lo[k] -= most, grown.hi[k] += most;
+  }
   const uint64_t before = *pairs;
   // A point that is within this distance of all lies within it of both ends of their box.
   if (extent(hull.box) > 2.000001 * most) return false;
@@ -194,8 +197,11 @@ bool SplinePatches::is_near(const PointHull& hull, double most, uint64_t* pairs)
     if (node.hull.is_known && are_near(hull, node.hull, most)) return true;
     if (*pairs - before > kMostPairsOfOne || numbers_ > kMostNumbersOfOne) return false;
     if (node.level == kMostLevelNear) continue;
-    const uint32_t child = children(i);
-    open.push_back(child), open.push_back(child + 1);
+    const uint32_t child = children(i);  // the nearer one is visited first
+    const bool is_first = square_distance(middle, nodes_[child].hull.box) <
+                          square_distance(middle, nodes_[child + 1].hull.box);
+    open.push_back(is_first ? child + 1 : child);
+    open.push_back(is_first ? child : child + 1);
   }
   return false;
 }

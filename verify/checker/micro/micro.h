@@ -174,7 +174,7 @@ struct PatchOfCell {
 struct MicroNumbers {
   uint64_t glued_caps = 0, components = 0, shells = 0;
   int64_t chi = 0;  // of N
-  // Of each bridge, then of each sweep: whether a cap in its wall is equal to another.
+  // For each bridge, then for each sweep: whether a cap in its wall is equal to another.
   std::vector<bool> is_meeting;
   std::vector<PatchOfCell> first;  // of each shell, if that was asked for: its first patch
 };

@@ -24,8 +24,8 @@ class SolidAround {
   // Called before the next two, for I3 with so many entries.
   virtual void begin_voids(uint64_t entries) = 0;
   virtual const std::vector<uint64_t>& depths() = 0;  // of the shells of M
-  // The winding numbers of shells of M around (X, Y, Z) / W, those that are not 0. If the point lies on M, I3 fails, for
-  // the void of this shell.
+  // The winding numbers of shells of M around (X, Y, Z) / W, those that are not 0. If the point lies on M, I3 fails,
+  // for the void of this shell.
   virtual std::map<uint32_t, int64_t> around(const std::vector<Big>& point, uint32_t shell) = 0;
 };
 std::unique_ptr<SolidAround> around_mesh(const Model& model, const SolidMesh& solid);

@@ -31,14 +31,14 @@ class OffSurface {
   void point_near(const PatchOfCell& patch, PointHull* hull);
   typedef std::array<uint32_t, 7> BlockKey;
   // False if no block of cells was passed over that holds the cell; otherwise the points of the block, and what it is
-  // known by. Of patches only.
+  // known by. REQUIRES that the surface has patches.
   bool point_of_block(const PatchOfCell& patch, BlockKey* key, PointHull* hull) const;
 
  private:
   void check_block(const MicroGrid& grid, const size_t* box, const CellBlock& block);
   void check_cell(const MicroGrid& grid, const size_t* i, const CellNet& cell);
   BlockKey key_of(const MicroGrid& g, const CellBlock& block) const;
-  // Of triangles the limits are of nodes and of pairs; of patches both together are one of pairs.
+  // For triangles there are limits of nodes and of pairs; for patches both together are one of pairs.
   void add_nodes(uint64_t nodes) {
     nodes_ += nodes;
     const bool has_patches = surface_.has_patches();

@@ -70,7 +70,7 @@ class TileParts {
   DoubleNet scratch_;
 };
 
-// Of a sweep, in its cell.
+// A sweep in its cell.
 class SweepPart {
  public:
   SweepPart(TileParts* parts, const MicroSweep& sweep, uint64_t number, const char* id);

@@ -4,8 +4,8 @@
 namespace {
 
 const int kMostLevelOfPatch = 60, kMostLevelNear = 24;
-// Of nodes that are kept for the next question; of those of one question.
-const size_t kMostNumbers = 1 << 25, kMostNumbersOfOne = 1 << 26;
+// Numbers of the nodes that are kept for the next question, and of those of one question.
+const size_t kMostNumbers = 1 << 24, kMostNumbersOfOne = 1 << 26;
 const uint64_t kMostPairsOfOne = 1 << 30;  // of one question
 
 double extent(const DoubleBox& b) {

@@ -19,8 +19,8 @@ double extent(const DoubleBox& b) {
 }
 
 // The least and the greatest value of v.p over the points p, or more. With r for the greatest value of the points and e
-// for their error, and d for that of v, whose numbers have the sum s, a computed one differs by less than s e + 3 d (r +
-// e) + 2^-48 s r from the exact one.
+// for their error, and d for that of v, whose numbers have the sum s, a computed one differs by less than
+// s e + 3 d (r + e) + 2^-48 s r from the exact one.
 Span values_of(const PointHull& hull, const Span* v) {
   Span r = {0, 0};
   double x[3], sum = 0, error = 0, size = 0;

@@ -20,7 +20,7 @@ class Inside:
     magic, tail = b"VTIM", b""
 
     def __init__(self, micro, mesh, skin=None, voids=(), mesh_format="off"):
-        self.micro, self.skin, self.voids = micro, skin or ("1000000" if micro.bridges else "-"), list(voids)
+        self.micro, self.skin, self.voids = micro, skin or ("1000000" if micro.bridges or micro.sweeps else "-"), list(voids)
         points, polygons = mesh
         triangles = [(f[0], f[i], f[i + 1]) for f in polygons for i in range(1, len(f) - 1)]
         self.solid = forge.Model(points, triangles, fmt=mesh_format)

@@ -268,6 +268,7 @@ def honest(rng):
     """(name, model, certificate)"""
     r = rng.random()
     micro = coarse_and_fine(rng) if r < .1 else turned_pair(rng).settled() if r < .2 else some_micro(rng)
+    micro = micro_sweep_liars.honest_plan(rng) if r > .85 else micro
     yield "micro", micro.text(), micro.certificate()
 
 

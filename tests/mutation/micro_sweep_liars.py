@@ -257,6 +257,33 @@ def sweeps_into_tiles(rng):
         yield "Q3_tile", row.with_sweeps(lie)
 
 
+@functools.lru_cache(None)
+def hook():
+    """A cage like a hook, one leg of which is longer, with a jack in its only cell. In one plane the ends of the first axis point down."""
+    middle = ((1, -1), (1, 2), (-1, 2), (-1, 0))
+
+    def point(i, j, k):
+        return (*[c * (1 + Q(j, 4)) for c in middle[i]], Q(k))
+    volume = models.spline((3, 1, 1), [[Q(0)] * 4 + [Q(1)] * 4] + [[Q(0)] * 2 + [Q(1)] * 2] * 2, point)
+    plan = bridged.Micro(micro_variants.Fixed(vmodel_forge.proved([volume], flags=[1])), [(0, [[Q(0), Q(1)]] * 3)], [examples.jack(grows=Q(0))], [[0]])
+    plan.values = dict(cells=1, tiles=1, glued_caps=0, components=1, shells=1, genus=0, bridges=1)
+    return plan
+
+
+def across_the_hook(length, down, depth):
+    """From the shorter leg towards the longer one, which it meets beyond the length 7/4."""
+    true = bridged.swept(hook(), 0, 0, 1, Q(1, 4), depth=depth)
+    f = (length, -down, Q(0))
+    return true.changed(e=tuple(c / 2 for c in f), f=f, speed=down / (64 * length ** 2))
+
+
+def sweeps_into_themselves(rng):
+    """Q3: the sweep meets another arm of its own tile, outside of the slab."""
+    lie = across_the_hook(Q(rng.randint(17, 24), 8), Q(rng.randint(1, 4), 8), rng.choice((Q(1, 16), Q(1, 32))))
+    if keeps_q2(hook(), lie):
+        yield "Q3_own", hook().changed(sweeps=[lie])
+
+
 def sweeps_in_touch(rng):
     """Q4: two sweeps meet head on, or lean against each other."""
     if rng.random() < .5:
@@ -307,7 +334,7 @@ def uncounted_sweeps(rng):
     yield "W3_sweeps", true.changed(values={**true.values, key: true.values[key] + step})
 
 
-STRATEGIES = ((misled_sweeps, 16), (loose_sweeps, 8), (sweeps_into_tiles, 10), (sweeps_in_touch, 10), (forged_hints, 6), (uncounted_sweeps, 3))
+STRATEGIES = ((misled_sweeps, 16), (loose_sweeps, 8), (sweeps_into_tiles, 10), (sweeps_into_themselves, 4), (sweeps_in_touch, 10), (forged_hints, 6), (uncounted_sweeps, 3))
 
 
 # ---------------------------------------------------------------- the truth

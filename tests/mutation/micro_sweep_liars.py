@@ -263,7 +263,7 @@ def hook():
     middle = ((1, -1), (1, 2), (-1, 2), (-1, 0))
 
     def point(i, j, k):
-        return (*[c * (1 + Q(j, 4)) for c in middle[i]], Q(k))
+        return (*[c * (1 + j) for c in middle[i]], Q(k))
     volume = models.spline((3, 1, 1), [[Q(0)] * 4 + [Q(1)] * 4] + [[Q(0)] * 2 + [Q(1)] * 2] * 2, point)
     plan = bridged.Micro(micro_variants.Fixed(vmodel_forge.proved([volume], flags=[1])), [(0, [[Q(0), Q(1)]] * 3)], [examples.jack(grows=Q(0))], [[0]])
     plan.values = dict(cells=1, tiles=1, glued_caps=0, components=1, shells=1, genus=0, bridges=1)
@@ -271,7 +271,7 @@ def hook():
 
 
 def across_the_hook(length, down, depth):
-    """From the shorter leg towards the longer one, which it meets beyond the length 7/4."""
+    """From the shorter leg towards the longer one, which it meets beyond the length 11/4."""
     true = bridged.swept(hook(), 0, 0, 1, Q(1, 4), depth=depth)
     f = (length, -down, Q(0))
     return true.changed(e=tuple(c / 2 for c in f), f=f, speed=down / (64 * length ** 2))
@@ -279,7 +279,7 @@ def across_the_hook(length, down, depth):
 
 def sweeps_into_themselves(rng):
     """Q3: the sweep meets another arm of its own tile, outside of the slab."""
-    lie = across_the_hook(Q(rng.randint(17, 24), 8), Q(rng.randint(1, 4), 8), rng.choice((Q(1, 16), Q(1, 32))))
+    lie = across_the_hook(Q(rng.randint(24, 32), 8), Q(rng.randint(1, 4), 8), rng.choice((Q(1, 64), Q(1, 32))))
     if keeps_q2(hook(), lie):
         yield "Q3_own", hook().changed(sweeps=[lie])
 

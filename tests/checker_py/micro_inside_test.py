@@ -54,7 +54,7 @@ def cubes(*boxes):
     return mesh
 
 
-class InsideTest(unittest.TestCase):
+class Judged(unittest.TestCase):
     def says(self, expected, plan, skip=(), certificate=None, model=None):
         certificate = certificate or plan.certificate()
         code, line = program._check(plan.micro.text(), certificate, frozenset(skip), second=model or plan.model())
@@ -65,6 +65,8 @@ class InsideTest(unittest.TestCase):
         self.says(condition, plan)
         self.says("ACCEPT", plan, (condition,))
 
+
+class InsideTest(Judged):
     # ------------------------------------------------------------ honest
 
     def test_cages_in_a_cube(self):

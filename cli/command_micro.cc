@@ -21,6 +21,7 @@
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
 #include "solids/micro/bridge/build_bridges.h"
+#include "solids/micro/bridge/build_sweeps.h"
 #include "solids/micro/doubled_grids.h"
 #include "solids/micro/measure/cage_scale.h"
 #include "solids/micro/measure/micro_volume.h"
@@ -359,7 +360,8 @@ class MicroRun {
     how.alpha = options_.bridge.alpha;
     how.skin = options_.skin ? *options_.skin : default_skin(*mesh);
     how.jobs = static_cast<unsigned>(options_.reading.jobs);
-    Result<BridgeReport> built = build_bridges(*mesh, *model_, tiles_, how, micro_);
+    const auto builder = options_.bridge.are_in_space ? build_sweeps : build_bridges;
+    Result<BridgeReport> built = builder(*mesh, *model_, tiles_, how, micro_);
     if (!built) return refuse(built.error());
     report_.bridges = std::move(*built);
     report_.seconds.bridge = watch.lap();

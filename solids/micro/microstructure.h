@@ -82,6 +82,8 @@ struct Microstructure {
   std::vector<MicroSweep> sweeps;    ///< by ascending caps; empty if bridges is not
   std::vector<MicroMaterial> materials;
 
+  /// Those in the parameters of the cage and those in space.
+  std::size_t num_bridges() const { return bridges.size() + sweeps.size(); }
   bool has_walls() const {
     for (const MicroTile& tile : tiles)
       if (tile.range.has_value()) return true;

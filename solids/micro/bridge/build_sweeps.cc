@@ -37,6 +37,7 @@ struct FoundSweep {
 };
 struct SweepSearch {
   SpaceCap cap;
+  std::optional<SweepProposals> proposals;
   int next_try = 0;
   BridgeDrop worst = BridgeDrop::kFolded;  // the latest test at which a try failed
   std::optional<FoundSweep> found;         // waits for the test against other sweeps
@@ -155,16 +156,18 @@ class SweepBuilder {
   // The next try that only other sweeps may be against.
   void advance(SweepSearch& search) const {
     if (search.is_built || search.next_try >= kSweepTries) return;
-    const SweepProposals proposals(surface_, options_, search.cap);
-    if (proposals.is_flat()) {
-      search.worst = BridgeDrop::kFlat;
-      search.next_try = kSweepTries;
+    if (!search.proposals) {
+      search.proposals.emplace(surface_, options_, search.cap);
+      if (search.proposals->is_flat()) {
+        search.worst = BridgeDrop::kFlat;
+        search.next_try = kSweepTries;
+      }
     }
-    while (search.next_try < kSweepTries && !search.found) try_next(proposals, search);
+    while (search.next_try < kSweepTries && !search.found) try_next(search);
   }
-  void try_next(const SweepProposals& proposals, SweepSearch& search) const {
+  void try_next(SweepSearch& search) const {
     const auto fails = [&](BridgeDrop why) { search.worst = std::max(search.worst, why); };
-    std::optional<MicroSweep> sweep = proposals.propose(search.next_try++);
+    std::optional<MicroSweep> sweep = search.proposals->propose(search.next_try++);
     if (!sweep) return fails(BridgeDrop::kSkin);
     const auto witness = find_sweep_witness(starts_, *sweep);
     if (!witness) return fails(BridgeDrop::kFolded);

@@ -19,6 +19,8 @@ Matrix3<double> approx_inverse(const Matrix3<double>& m) {
   return out;
 }
 
+constexpr double kEnoughMargin = 1e-4;
+
 struct Eigenpair {
   double value = 0;
   std::array<double, 3> vector{};
@@ -96,6 +98,17 @@ class MatrixSearch {
       if (!std::isfinite(x)) return std::nullopt;
     return k;
   }
+  // Whether all K J + (K J)^T exceed the margin; approximate.
+  bool has_margin(const Matrix3<double>& k) const {
+    double size = 0;
+    for (const double x : k) size += x * x;
+    const double least = kEnoughMargin * std::sqrt(size);
+    return std::all_of(jacobians_.begin(), jacobians_.end(), [&](const Matrix3<double>& j) {
+      Matrix3<double> s = symmetric_part(product(k, j));
+      for (std::size_t i = 0; i < 3; ++i) s[4 * i] -= least;
+      return s[0] > 0 && s[0] * s[4] - s[1] * s[3] > 0 && determinant(s) > 0;
+    });
+  }
   // The worst coefficient, and the direction against which K turns it.
   double margin(const Matrix3<double>& k, std::size_t* worst, Eigenpair* pair) const {
     double size = 0;
@@ -135,8 +148,6 @@ class MatrixSearch {
   std::array<double, 3> scale_{};
 };
 
-constexpr double kEnoughMargin = 1e-4;
-
 }  // namespace
 
 std::optional<Matrix3<Rational>> find_definite_matrix(
@@ -148,7 +159,7 @@ std::optional<Matrix3<Rational>> find_definite_matrix(
   for (const int power : {0, 1, -1, 2, -2}) {
     const auto k = search.start(power);
     if (!k) break;
-    if (!(search.margin(*k, &worst, &pair) > kEnoughMargin)) continue;
+    if (!search.has_margin(*k)) continue;
     const Matrix3<Rational> out = search.rounded(*k);
     if (accepts(out)) return out;
   }

@@ -162,7 +162,7 @@ bool leads_outward(const SweepDerivatives& derivatives, const MatrixList& slab) 
   return whole * determinant_of_mean(wall, 0, 2) > 0 && whole * determinant_of_mean(wall, 1, 2) > 0;
 }
 
-constexpr std::array<int, 4> kDepthBits = {0, 1, 2, 3};
+constexpr std::array<int, 3> kDepthBits = {0, 1, 3};
 constexpr std::array<int, 5> kSpeedPowers = {0, -2, -4, 2, -6};
 constexpr int kMostSweepTurns = 40;
 constexpr int kMostExponent = 40;  // of numbers of the certificate, which have at most 63 bits
@@ -199,7 +199,8 @@ std::optional<SweepWitness> find_sweep_witness(const SweepStarts& starts, const 
       for (Matrix3<double>& m : all)
         for (std::size_t i = 0; i < 9; ++i) m[i] /= nearest_double(derivatives.widths()[i % 3]);
       const auto found = internal::find_definite_matrix(
-          std::move(all), derivatives.across(), power == 0 ? kMostSweepTurns : 0,
+          std::move(all), derivatives.across(),
+          power == 0 && bits == kDepthBits.back() ? kMostSweepTurns : 0,
           [&](const BridgeMatrix& k) { return shows(derivatives, slab, k, out.speed); });
       if (!found) continue;
       out.matrix = *found;

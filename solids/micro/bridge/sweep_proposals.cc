@@ -10,36 +10,45 @@ namespace veritope::internal {
 namespace {
 
 // Where a curve ends: at the point of the surface that is nearest to a point of the cap's normal, `ahead` times the
-// distance of the surface, or the arm, from the cap; or where a ray along the normal, or along the cage's line, meets
-// the surface.
-enum class SweepAim : std::uint8_t { kDistances, kArms, kNormal, kAxis };
-// Its middle point lies `lead` times as far off as in algorithm 4, along the normal; or, if lead is 0, halfway to the
-// end. It is cut off where the cap is at `depth` times the skin from the surface.
+// distance of the surface, or the arm, from the cap; or where a ray along the cage's line meets the surface, or one of
+// a fan of rays around the normal: those where the surface is nearly parallel to the cap.
+enum class SweepAim : std::uint8_t { kDistances, kArms, kAxis, kFan };
+// Its middle point is that of algorithm 4 (kFull); or lies along the normal as far off as alpha times the way of the end
+// along it (kNormal), or halfway to the end (kStraight). `ahead` is the number of the ray if it is one of the fan.
+enum class SweepLead : std::uint8_t { kFull, kNormal, kStraight };
 struct SweepShape {
   SweepAim aim;
-  double ahead, lead, depth;
+  double ahead;
+  SweepLead lead;
 };
 // The first one is that of algorithm 4, with `ahead` = alpha.
 constexpr std::array<SweepShape, kSweepTries> kSweepShapes = {{
-    {SweepAim::kDistances, 0, 1, 0.1},
-    {SweepAim::kNormal, 0, 0, 0.1},
-    {SweepAim::kArms, 0.7, 0, 0.1},
-    {SweepAim::kAxis, 0, 0, 0.1},
-    {SweepAim::kArms, 1.2, 1, 0.1},
-    {SweepAim::kDistances, 0, 0, 0.1},
-    {SweepAim::kArms, 2, 0, 0.1},
-    {SweepAim::kArms, 0.3, 0, 0.1},
-    {SweepAim::kArms, 1.2, 0, 0.1},
-    {SweepAim::kDistances, 0, 0.4, 0.1},
-    {SweepAim::kArms, 0.7, 0.4, 0.1},
-    {SweepAim::kArms, 3, 0, 0.1},
-    {SweepAim::kNormal, 0, 0, 0.02},
-    {SweepAim::kArms, 0.7, 0, 0.02},
-    {SweepAim::kAxis, 0, 0, 0.02},
-    {SweepAim::kDistances, 0, 0, 0.02},
+    {SweepAim::kDistances, 0, SweepLead::kFull},
+    {SweepAim::kArms, 1.2, SweepLead::kNormal},
+    {SweepAim::kFan, 0, SweepLead::kNormal},
+    {SweepAim::kArms, 0.5, SweepLead::kNormal},
+    {SweepAim::kFan, 1, SweepLead::kNormal},
+    {SweepAim::kAxis, 0, SweepLead::kStraight},
+    {SweepAim::kFan, 2, SweepLead::kNormal},
+    {SweepAim::kFan, 0, SweepLead::kStraight},
+    {SweepAim::kFan, 3, SweepLead::kNormal},
+    {SweepAim::kDistances, 0, SweepLead::kStraight},
+    {SweepAim::kFan, 4, SweepLead::kNormal},
+    {SweepAim::kFan, 1, SweepLead::kStraight},
+    {SweepAim::kFan, 5, SweepLead::kNormal},
+    {SweepAim::kFan, 2, SweepLead::kStraight},
+    {SweepAim::kFan, 6, SweepLead::kNormal},
+    {SweepAim::kFan, 3, SweepLead::kStraight},
 }};
+// The cap ends at this part of the skin from the surface, where it is nearest.
+constexpr double kLeastDepth = 0.1;
+// How far the middle point may go along the normal, of the end's way.
+constexpr double kMostLead = 0.8;
+// Rays of the fan: around the normal, by their slopes.
+constexpr std::array<double, 4> kFanSlopes = {0, 0.35, 0.75, 1.3};
+constexpr int kFanRays = 8;  // of each slope
+constexpr double kFullTurn = 6.28318530717959;
 constexpr int kMostRaySteps = 48, kMostCuts = 24;
-constexpr double kMostDepthArms = 0.2;
 
 Rational dyadic_number(double x, int bits) {
   return Rational::from_double(std::ldexp(std::nearbyint(std::ldexp(x, bits)), -bits));
@@ -63,30 +72,72 @@ std::optional<Point3d> SweepProposals::hit_along(const Point3d& direction) const
   return std::nullopt;
 }
 
-std::optional<SweepProposals::Curve> SweepProposals::curve(int index) const {
-  const SweepShape& shape = kSweepShapes[static_cast<std::size_t>(index)];
-  std::optional<Point3d> end;
-  if (shape.aim == SweepAim::kNormal || shape.aim == SweepAim::kAxis) {
-    end = hit_along(shape.aim == SweepAim::kNormal ? cap_.normal : cap_.axis);
-  } else {
-    const double ahead =
-        shape.aim == SweepAim::kArms ? shape.ahead * cap_.arm : options_.alpha * distance_;
-    end = skin_.nearest(sum_of(cap_.middle, ahead, cap_.normal)).at;
+// How much nearer to a plane with this normal one sample is than another one.
+double SweepProposals::tilt(const Point3d& normal) const {
+  double lo = HUGE_VAL, hi = -HUGE_VAL;
+  for (const Point3d& p : cap_.samples) {
+    lo = std::min(lo, dot_product(normal, p));
+    hi = std::max(hi, dot_product(normal, p));
   }
+  return hi - lo;
+}
+
+// The hits of rays at which the cap would be within the skin, those nearest to the normal first.
+const std::vector<Point3d>& SweepProposals::fan() {
+  if (fan_) return *fan_;
+  fan_.emplace();
+  Point3d across = cross_product(cap_.normal, {1, 0, 0});
+  if (std::abs(cap_.normal[0]) > 0.8) across = cross_product(cap_.normal, {0, 1, 0});
+  across = unit_vector(across);
+  const Point3d other = cross_product(cap_.normal, across);
+  for (const double slope : kFanSlopes)
+    for (int ray = 0; ray < (slope > 0 ? kFanRays : 1); ++ray) {
+      const double angle = kFullTurn * ray / kFanRays;
+      const Point3d way = sum_of(sum_of(cap_.normal, slope * std::cos(angle), across),
+                                 slope * std::sin(angle), other);
+      const auto hit = hit_along(unit_vector(way));
+      if (hit && tilt(skin_.nearest(*hit).normal) < (1 - kLeastDepth) * options_.skin)
+        fan_->push_back(*hit);
+    }
+  return *fan_;
+}
+
+std::optional<Point3d> SweepProposals::end_of(std::size_t aim, double ahead) {
+  switch (static_cast<SweepAim>(aim)) {
+    case SweepAim::kAxis: return hit_along(cap_.axis);
+    case SweepAim::kFan: {
+      const auto number = static_cast<std::size_t>(ahead);
+      return number < fan().size() ? std::optional(fan()[number]) : std::nullopt;
+    }
+    case SweepAim::kArms: ahead *= cap_.arm; break;
+    case SweepAim::kDistances: ahead = options_.alpha * distance_; break;
+  }
+  return skin_.nearest(sum_of(cap_.middle, ahead, cap_.normal)).at;
+}
+
+std::optional<SweepProposals::Curve> SweepProposals::curve(int index) {
+  const SweepShape& shape = kSweepShapes[static_cast<std::size_t>(index)];
+  const auto end = end_of(static_cast<std::size_t>(shape.aim), shape.ahead);
   if (!end) return std::nullopt;
   Curve out;
   out.end = sum_of(*end, -1, cap_.middle);
-  const double reach = index == 0 ? distance_ : size_of(out.end);
-  if (shape.lead > 0)
-    out.middle = sum_of({}, shape.lead * options_.alpha * reach, cap_.normal);
+  const double way = dot_product(out.end, cap_.normal);
+  if (shape.lead == SweepLead::kFull)
+    out.middle = sum_of({}, options_.alpha * distance_, cap_.normal);
+  else if (shape.lead == SweepLead::kNormal)
+    out.middle = sum_of({}, std::min(options_.alpha, kMostLead) * way, cap_.normal);
   else
     out.middle = sum_of({}, 0.5, out.end);
-  return drawn_back(out, shape.depth * std::min(options_.skin, kMostDepthArms * distance_));
+  return drawn_back(out, kLeastDepth * std::min(options_.skin, distance_));
 }
 
-double SweepProposals::least_depth(const Point3d& offset) const {
-  double out = HUGE_VAL;
-  for (const Point3d& p : cap_.samples) out = std::min(out, skin_.depth(sum_of(p, 1, offset)));
+// The least and the greatest depth of a sample that is moved by the offset.
+std::array<double, 2> SweepProposals::depths(const Point3d& offset) const {
+  std::array<double, 2> out = {HUGE_VAL, -HUGE_VAL};
+  for (const Point3d& p : cap_.samples) {
+    const double depth = skin_.depth(sum_of(p, 1, offset));
+    out = {std::min(out[0], depth), std::max(out[1], depth)};
+  }
   return out;
 }
 
@@ -97,8 +148,10 @@ std::optional<SweepProposals::Curve> SweepProposals::drawn_back(const Curve& who
   double t = 1;
   for (int cut = 0; cut < kMostCuts; ++cut) {
     const Point3d at = sum_of(sum_of({}, 2 * t * (1 - t), whole.middle), t * t, whole.end);
-    const double missing = depth - least_depth(at);
+    const auto [least, greatest] = depths(at);
+    const double missing = depth - least;
     if (missing <= 0.05 * depth) {
+      if (!(greatest < options_.skin)) return std::nullopt;
       Curve out;
       out.middle = sum_of({}, t, whole.middle);
       out.end = at;
@@ -111,7 +164,7 @@ std::optional<SweepProposals::Curve> SweepProposals::drawn_back(const Curve& who
   return std::nullopt;
 }
 
-std::optional<MicroSweep> SweepProposals::propose(int index) const {
+std::optional<MicroSweep> SweepProposals::propose(int index) {
   const std::optional<Curve> found = curve(index);
   if (!found) return std::nullopt;
   const int bits = 24 - std::ilogb(cap_.arm);

@@ -2,6 +2,7 @@
 // solids/micro/bridge/sweep_proposals_internal.h: curves of sweeps, proposed in floating point: algorithm 4 of [HPE22].
 // Internal to solids/micro/bridge.
 #pragma once
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -30,7 +31,7 @@ class SweepProposals {
   /// The distance of the cap's middle from the surface is under a twentieth of the arm.
   bool is_flat() const { return !(distance_ >= cap_.arm / 20); }
   /// Number `index` of kSweepTries; nothing if no curve of this kind was found.
-  std::optional<MicroSweep> propose(int index) const;
+  std::optional<MicroSweep> propose(int index);
 
  private:
   /// The Bezier points of a curve, less its first one.
@@ -38,14 +39,18 @@ class SweepProposals {
     Point3d middle{}, end{};
   };
   std::optional<Point3d> hit_along(const Point3d& direction) const;
-  std::optional<Curve> curve(int index) const;
+  double tilt(const Point3d& normal) const;
+  const std::vector<Point3d>& fan();
+  std::optional<Point3d> end_of(std::size_t aim, double ahead);
+  std::optional<Curve> curve(int index);
   std::optional<Curve> drawn_back(const Curve& curve, double depth) const;
-  double least_depth(const Point3d& offset) const;
+  std::array<double, 2> depths(const Point3d& offset) const;
 
   const MeshSkin& skin_;
   const BridgeOptions& options_;
   const SpaceCap& cap_;
   double distance_ = 0;
+  std::optional<std::vector<Point3d>> fan_;
 };
 
 }  // namespace veritope::internal

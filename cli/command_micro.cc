@@ -418,10 +418,14 @@ class MicroRun {
     progress_.phase(*options_.output, "measuring");
     Stopwatch watch;
     if (const auto v = volume_of(micro_, *model_, static_cast<unsigned>(options_.reading.jobs))) {
-      report_.volume = bounds_of(v->tiles);
+      report_.volume = bounds_of(v->solid);
       report_.density = bounds_of(v->density);
     }
     if (const auto s = scale_of(micro_, *model_)) report_.scale = {s->lo, s->hi};
+    if (solid_ && (options_.json || options_.output != "-")) {
+      const auto c = solid_->clearance_of(micro_, static_cast<unsigned>(options_.reading.jobs));
+      if (c && *c) report_.clearance = {(*c)->lo, (*c)->hi};
+    }
     report_.seconds.measure = watch.lap();
     return kExitValid;
   }
@@ -498,7 +502,9 @@ class MicroRun {
     report_.composed =
         MicroRunReport::Composed{{*options_.emit, emitted_->sha256(), emitted_->num_bytes()},
                                  surface->num_patches(),
-                                 surface->num_curves()};
+                                 surface->num_curves(),
+                                 micro_.bridges.size() - surface->bridges_left_out().size(),
+                                 surface->bridges_left_out()};
     report_.seconds.compose = watch.lap();
     return kExitValid;
   }

@@ -76,13 +76,14 @@ MadePart part_of(const ComposedSurface& surface, std::size_t begin, std::size_t 
     const ComposedCell& cell = surface.cells()[n];
     for (const ComposedPatch& p : composed[n - begin])
       if (out.status)
-        out.status = out.part.add(
-            p.surface, {cell.grid, static_cast<std::int64_t>(cell.cell), cell.tile, p.patch});
+        out.status =
+            out.part.add(p.surface, {cell.grid, static_cast<std::int64_t>(cell.cell), cell.tile,
+                                     p.bridge ? std::int64_t{*p.bridge} : -1, p.patch});
   }
   return out;
 }
 Status emit_cells(const ComposedSurface& surface, unsigned jobs, StreamedOutput& output) {
-  PatchCells cells({"grid", "cell", "tile", "patch"});
+  PatchCells cells({"grid", "cell", "tile", "bridge", "patch"});
   Status status = output.write(PatchCells::begin(surface.num_points(), surface.num_patches()));
   if (status)
     status = in_rounds<MadePart>(

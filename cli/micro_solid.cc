@@ -57,6 +57,13 @@ Result<TileFilter> MicroSolid::filter() const {
   return TileFilter::make(*patches_.complex);
 }
 
+Result<std::optional<Clearance>> MicroSolid::clearance_of(const Microstructure& micro,
+                                                          unsigned jobs) const {
+  if (const auto* const mesh = std::get_if<MeshFile>(&file_))
+    return veritope::clearance_of(micro, mesh->mesh, jobs);
+  return veritope::clearance_of(micro, *patches_.complex, jobs);
+}
+
 Result<std::optional<MicroSolid::Escape>> MicroSolid::escape_from(const VModel& cage) const {
   const auto told = [](const std::string& part, const std::optional<std::string>& outside,
                        const std::optional<VFaceNumber>& face) {

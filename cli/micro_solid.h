@@ -9,6 +9,7 @@
 #include "io/model_file.h"
 #include "robust/base/result.h"
 #include "solids/base/verdict.h"
+#include "solids/micro/clearance/clearance.h"
 #include "solids/micro/filter/tile_filter.h"
 #include "solids/vmodel/v_model.h"
 #include "verify/certify/file_patches.h"
@@ -38,6 +39,10 @@ class MicroSolid {
 
   /// REQUIRES !fault().
   Result<TileFilter> filter() const;
+
+  /// How far the tiles are from the surface. REQUIRES !fault(), and as veritope::clearance_of.
+  /// @error as veritope::clearance_of
+  Result<std::optional<Clearance>> clearance_of(const Microstructure& micro, unsigned jobs) const;
 
   struct Escape {
     std::string message;              ///< "triangle 5 does not lie inside of the cage: ..."

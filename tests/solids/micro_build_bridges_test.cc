@@ -23,9 +23,8 @@ namespace veritope {
 namespace {
 
 using micro_lattice::cage_volume;
+using micro_lattice::creased;
 using micro_lattice::Lattice;
-using micro_lattice::tenths;
-using v_cells::Point;
 
 std::uint64_t sum_of(const BridgeReport& r) {
   std::uint64_t out = r.built;
@@ -79,6 +78,8 @@ void expect_smooth_starts(const Lattice& lattice) {
     EXPECT_EQ(mu->sign(), b.cap.wall % 2 == 1 ? Sign::kPositive : Sign::kNegative);
   }
 }
+
+Rational tenths(int n) { return Rational(n) / Rational(10); }
 
 TEST(BuildBridges, CapsOfABlockInABlock) {
   Lattice lattice(6, cage_volume(0, false), tenths(1), tenths(9));
@@ -141,24 +142,6 @@ TEST(BuildBridges, CapsThatNearlyTouchTheSurfaceAreFlat) {
   EXPECT_EQ(report.dropped[static_cast<std::size_t>(BridgeDrop::kFlat)], 96u);
   EXPECT_EQ(report.without.size(), 96u);
   EXPECT_TRUE(lattice.micro.bridges.empty());
-}
-
-// Two spans of degree 1: beyond u = 1/2, the line along u rises with the slope 1/2: 26.565 degrees. The first `kept`
-// of ten cells along u may have tiles, and the solid ends at x = `end`.
-Lattice creased(std::size_t kept, double end) {
-  VVolume bent = v_cells::polynomial({1, 1, 1}, [&](std::size_t i, std::size_t j, std::size_t k) {
-    return Point{Rational(i), Rational(j), Rational(k)};
-  });
-  bent = insert_knot(bent, 0, Rational(1) / Rational(2));
-  for (std::size_t j = 0; j < 2; ++j)
-    for (std::size_t k = 0; k < 2; ++k)
-      bent.component(2)[bent.grid().at({2, j, k})] += Rational(1) / Rational(4);
-  Lattice out(10, bent, tenths(1), tenths(9));
-  MicroGrid& grid = out.micro.grids[0];
-  for (std::size_t c = 0; c < grid.tiles.size(); ++c)
-    if (grid.shape().index_of(c)[0] >= kept) grid.tiles[c] = 0;
-  for (Vec3d& p : out.solid.positions) p.x = std::min(p.x, end);
-  return out;
 }
 
 TEST(BuildBridges, AKinkIsEnclosedAtACrease) {

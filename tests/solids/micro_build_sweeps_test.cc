@@ -19,7 +19,8 @@ namespace {
 
 using micro_lattice::cage_volume;
 using micro_lattice::Lattice;
-using micro_lattice::tenths;
+
+Rational tenths(int n) { return Rational(n) / Rational(10); }
 
 std::uint64_t sum_of(const BridgeReport& r) {
   std::uint64_t out = r.built;

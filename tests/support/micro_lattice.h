@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/micro_lattice.h: jacks in a cage around a block, those whose cells lie in the block.
+// tests/support/micro_lattice.h: jacks in a block, and the bridges and sweeps that lead from them to its surface.
 #pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "solids/micro/bridge/build_bridges.h"
 #include "solids/micro/bridge/build_sweeps.h"
 #include "solids/micro/bridge/sweep_proof.h"
+#include "solids/micro/bridge_front.h"
+#include "solids/polyhedron/triangle_mesh.h"
 #include "splines/de_boor.h"
-#include "splines/knot_insertion.h"
 #include "tests/support/micro_cells.h"
 
 namespace veritope::micro_lattice {
-
-inline Rational tenths(int n) { return Rational(n) / Rational(10); }
 
 inline TriangleMesh block(double lo, double hi) {
   TriangleMesh out;
@@ -45,9 +49,10 @@ struct Lattice {
   VModel cage;
   std::vector<AnalysedTile> tiles;
 
-  Lattice(std::uint64_t n, const VVolume& volume, const Rational& lo, const Rational& hi)
+  Lattice(std::uint64_t n, const VVolume& volume, const Rational& lo, const Rational& hi,
+          int degree = 3)
       : solid(block(nearest_double(lo), nearest_double(hi))),
-        micro(micro_cells::full({volume}, {n, n, n}, jack_tile({}).value())),
+        micro(micro_cells::full({volume}, {n, n, n}, jack_of(degree))),
         cage(make_v_model(micro.cage, VOrientation::kAuto).value()) {
     tiles.push_back(std::get<AnalysedTile>(analyse_tile(micro.tiles[0])));
     MicroGrid& grid = micro.grids[0];
@@ -62,6 +67,11 @@ struct Lattice {
           if (x <= lo || hi <= x) grid.tiles[c] = 0;
       }
   }
+  static MicroTile jack_of(int degree) {
+    JackShape shape;
+    shape.degree = degree;
+    return jack_tile(shape).value();
+  }
   BridgeReport build(double skin = 0.02, unsigned jobs = 1) {
     BridgeOptions options;
     options.skin = skin;
@@ -74,7 +84,7 @@ struct Lattice {
     options.jobs = jobs;
     return build_sweeps(solid, cage, tiles, options, micro).value();
   }
-  // The condition of the first sweep that is not proved, and why; or nothing.
+  // The condition of the first sweep that is not proved, and its number; or nothing.
   std::string defect_of_sweeps() const {
     const auto proof = prove_sweeps(micro, cage, tiles, 1).value();
     const auto* const defect = std::get_if<BridgeDefect>(&proof);
@@ -83,5 +93,50 @@ struct Lattice {
                : std::string(defect->condition) + " of " + std::to_string(defect->bridge);
   }
 };
+
+// Two spans of degree 1: beyond u = 1/2, the line along u rises with the slope 1/2: 26.565 degrees. The first `kept`
+// of ten cells along u may have tiles, and the solid ends at x = `end`.
+inline Lattice creased(std::size_t kept, double end) {
+  VVolume bent = v_cells::polynomial({1, 1, 1}, [&](std::size_t i, std::size_t j, std::size_t k) {
+    return v_cells::Point{Rational(i), Rational(j), Rational(k)};
+  });
+  bent = insert_knot(bent, 0, Rational(1) / Rational(2));
+  for (std::size_t j = 0; j < 2; ++j)
+    for (std::size_t k = 0; k < 2; ++k)
+      bent.component(2)[bent.grid().at({2, j, k})] += Rational(1) / Rational(4);
+  Lattice out(10, bent, Rational(1) / Rational(10), Rational(9) / Rational(10));
+  MicroGrid& grid = out.micro.grids[0];
+  for (std::size_t c = 0; c < grid.tiles.size(); ++c)
+    if (grid.shape().index_of(c)[0] >= kept) grid.tiles[c] = 0;
+  for (Vec3d& p : out.solid.positions) p.x = std::min(p.x, end);
+  return out;
+}
+
+// Adds a bridge at a wall, straight on along the axis by `length` in parameters, moved by `aside` at its end.
+inline MicroBridge& add_bridge(Microstructure& micro, const VModel& cage,
+                               const std::vector<AnalysedTile>& tiles, const CapPlace& place,
+                               const Rational& length, const TilePoint& aside = {}) {
+  const BridgeFront front = front_of(micro, cage, place).value();
+  const auto cap = turned_beyond(cap_on_front(micro, cage, tiles, place, front).value(), front);
+  MicroBridge out;
+  out.cap = place;
+  out.volume = front.volume;
+  out.degrees = cap.degrees();
+  for (std::size_t i = 0; i < cap.grid().count(); ++i)
+    for (int k = 0; k <= 2; ++k) {
+      TilePoint p;
+      for (std::size_t c = 0; c < 3; ++c) {
+        p[c] = cap.component(static_cast<int>(c))[i];
+        if (k == 2) p[c] += aside[c];
+      }
+      const Rational step = length * Rational(k) / Rational(2);
+      p[front.axis] += front.is_upward ? step : -step;
+      out.points.push_back(p);
+    }
+  const auto at =
+      std::upper_bound(micro.bridges.begin(), micro.bridges.end(), out,
+                       [](const MicroBridge& a, const MicroBridge& b) { return a.cap < b.cap; });
+  return *micro.bridges.insert(at, std::move(out));
+}
 
 }  // namespace veritope::micro_lattice

@@ -12,6 +12,8 @@ namespace {
 
 Box3 point_box(const Vec3d& p) { return Box3(Interval(p.x), Interval(p.y), Interval(p.z)); }
 
+}  // namespace
+
 // Claim    |fl(d.m) - d.q| <= slack(d, points) for each point q, whatever the rounding mode is, if nothing overflows.
 // Bound    fl(d.m) is the sum of three products; each product passes three roundings or fewer, each off by a factor
 //          within 1 +- 2^-52, so it is off by |d_c m_c| 4 2^-52 or less, and |m_c| is less than twice the greatest
@@ -25,8 +27,6 @@ double dot_slack(const Point3d& d, const NodePoints& points) {
   }
   return sum.hi();
 }
-
-}  // namespace
 
 FacetPlanes::FacetPlanes(const TriangleMesh& mesh) : mesh_(&mesh) {
   const ScopedUpward upward;

@@ -13,6 +13,10 @@
 
 namespace veritope::internal {
 
+/// A bound of |fl(d.m) - d.q| for the middles m of the points q, where fl(d.m) is the plain sum of three products; not
+/// finite if that may overflow. REQUIRES a live ScopedUpward.
+double dot_slack(const Point3d& d, const NodePoints& points);
+
 /// Immutable: threads may share it.
 class FacetPlanes {
  public:

@@ -19,25 +19,11 @@ internal::VolumeMaps::VolumeMaps(const VVolume& volume) : pieces_(bezier_pieces(
   for (const auto& piece : pieces_.pieces) nets_.emplace_back(piece);
 }
 
-SpanPart internal::VolumeMaps::part(std::size_t axis, const Rational& lo,
-                                    const Rational& hi) const {
-  const std::vector<Rational>& k = knots(axis);
-  const auto next = std::upper_bound(k.begin() + 1, k.end() - 1, lo);
-  SpanPart out;
-  out.span = static_cast<std::size_t>(next - k.begin()) - 1;
-  const Rational length = *next - *(next - 1);
-  out.lo = (lo - *(next - 1)) / length;
-  out.hi = (hi - *(next - 1)) / length;
-  out.lo_bound = enclose(out.lo);
-  out.hi_bound = enclose(out.hi);
-  return out;
-}
-
 ExactPoint internal::VolumeMaps::image(const TilePoint& x) const {
   std::array<std::size_t, 3> spans{};
   std::array<Rational, 3> at;
   for (std::size_t a = 0; a < 3; ++a) {
-    const SpanPart p = part(a, x[a], x[a]);
+    const SpanPart p = span_part(knots(a), x[a], x[a]);
     spans[a] = p.span;
     at[a] = p.lo;
   }

@@ -43,7 +43,7 @@ class ShellSides {
     const ScopedUpward upward;
     Box3 in_span;
     for (std::size_t a = 0; a < 3; ++a) {
-      const SpanPart part = maps.part(a, x[a], x[a]);
+      const SpanPart part = span_part(maps.knots(a), x[a], x[a]);
       spans[a] = part.span;
       in_span[a] = part.lo_bound;
     }

@@ -9,6 +9,8 @@
 #include "interval/upward.h"
 #include "robust/base/parallel.h"
 #include "solids/micro/inside/descent_internal.h"
+#include "solids/micro/inside/enclosed_patch_internal.h"
+#include "solids/micro/inside/grid_spans_internal.h"
 #include "solids/micro/inside/inside_parts_internal.h"
 #include "solids/micro/sweep_nodes.h"
 #include "solids/micro/sweep_start.h"
@@ -32,49 +34,6 @@ struct DescentUnit {
   std::size_t first_bridge = 0, past_bridge = 0;
 };
 
-// A patch of a kind of tile, enclosed: a net for each power of t.
-struct EnclosedPatch {
-  std::array<int, 2> degrees{};
-  std::optional<int> wall;
-  std::vector<std::vector<Box3>> powers;
-};
-std::vector<EnclosedPatch> enclosed_patches(const MicroTile& tile) {
-  std::vector<EnclosedPatch> out;
-  for (const TilePatch& patch : tile.patches) {
-    EnclosedPatch& e = out.emplace_back(EnclosedPatch{patch.degrees, patch.wall, {}});
-    for (const auto& list : patch.points) {
-      auto& to = e.powers.emplace_back();
-      for (const TilePoint& p : list) to.emplace_back(enclose(p[0]), enclose(p[1]), enclose(p[2]));
-    }
-  }
-  return out;
-}
-// Its coefficients for the number of the wall. The number is a double.
-void patch_points(const EnclosedPatch& patch, std::int32_t number, std::vector<Box3>* out) {
-  *out = patch.powers.back();
-  const Interval t(static_cast<double>(number) * 0x1p-20);
-  for (std::size_t k = patch.powers.size() - 1; k-- > 0;)
-    for (std::size_t i = 0; i < out->size(); ++i)
-      for (std::size_t c = 0; c < 3; ++c)
-        (*out)[i][c] = Interval::nonnegative_multiple((*out)[i][c], t) + patch.powers[k][i][c];
-}
-
-// The lines of a grid along an axis, by cells, in units of the knot spans.
-struct AxisParts {
-  std::vector<SpanPart> cells;
-  std::vector<std::size_t> first_of_span;  // and the number of cells
-};
-AxisParts axis_parts(const VolumeMaps& maps, std::size_t axis,
-                     const std::vector<Rational>& breaks) {
-  AxisParts out;
-  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    out.cells.push_back(maps.part(axis, breaks[i], breaks[i + 1]));
-    if (i == 0 || out.cells[i].span != out.cells[i - 1].span) out.first_of_span.push_back(i);
-  }
-  out.first_of_span.push_back(out.cells.size());
-  return out;
-}
-
 using FacetList = std::vector<std::uint32_t>;
 
 // A part of a sweep, as a node of descend().
@@ -97,7 +56,7 @@ struct DescentWork {
     for (const MicroGrid& grid : p.micro.grids) {
       auto& to = axes.emplace_back();
       for (std::size_t a = 0; a < 3; ++a)
-        to[a] = axis_parts(p.volumes[grid.volume], a, grid.breaks[a]);
+        to[a] = axis_parts(p.volumes[grid.volume].knots(a), grid.breaks[a]);
     }
   }
   const InsideParts& parts;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "robust/base/check.h"
+#include "solids/micro/bridge_faces.h"
 #include "solids/micro/mesh/bridge_mesh_internal.h"
 #include "splines/de_casteljau.h"
 #include "splines/knot_insertion.h"
@@ -15,18 +16,12 @@ constexpr int kBoundDepth = 2;
 constexpr std::array<std::array<std::size_t, 2>, 6> kBoundPairs = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
-BezierVolume<Rational> volume_of_bridge(const MicroBridge& bridge) {
-  BezierVolume<Rational> out({bridge.degrees[0], bridge.degrees[1], kBridgeAxisDegree}, 3, false);
-  for (std::size_t i = 0; i < bridge.points.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c) out.component(static_cast<int>(c))[i] = bridge.points[i][c];
-  return out;
-}
 Interval up_to(double x) { return Interval::from_bounds(0, x); }
 
 }  // namespace
 
 BridgeMesh::BridgeMesh(const VVolume& volume, const MicroBridge& bridge)
-    : net_(volume_of_bridge(bridge)) {
+    : net_(bridge_map(bridge)) {
   MicroGrid grid;  // the box of the bridge, cut at knots
   for (std::size_t a = 0; a < 3; ++a) {
     const auto x = net_.component(static_cast<int>(a));

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/micro/clearance/surface_parts_internal.h: the surface of a solid as parts whose distances from other points
+// can be bounded. Internal to solids/micro/clearance.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "solids/base/box_hierarchy.h"
+#include "solids/micro/inside/part_net_internal.h"
+#include "solids/patches/patch_complex.h"
+#include "solids/polyhedron/triangle_mesh.h"
+
+namespace veritope::internal {
+
+/// At most the distance between any two points of the boxes. REQUIRES a live ScopedUpward.
+double least_distance(const Box3d& a, const Box3d& b);
+
+/// Parts by numbers: those that all views share, then those that this view has cut out of them. One thread uses a view.
+/// All functions REQUIRE a live ScopedUpward.
+class SurfaceView {
+ public:
+  virtual ~SurfaceView() = default;
+  virtual const Box3d& box(std::uint32_t part) const = 0;
+  /// A lower bound of the distances between the hull of the points and the part; the first that is found to be at least
+  /// `enough`, or else the best one.
+  virtual double gap(std::uint32_t part, const NodePoints& points, double enough) const = 0;
+  /// No point of the box is farther from some point of the part.
+  virtual double reach(std::uint32_t part, const Box3& point) const = 0;
+  /// The number of the first of both halves of a part, which follow each other; kNoHalves if it is not cut.
+  virtual std::uint32_t halves(std::uint32_t part) = 0;
+  static constexpr std::uint32_t kNoHalves = 0xffffffffu;
+};
+
+/// Immutable: threads share it.
+class SurfaceParts {
+ public:
+  virtual ~SurfaceParts() = default;
+  virtual std::unique_ptr<SurfaceView> view() const = 0;
+
+  bool is_empty() const { return tree_.order().empty(); }
+  /// Between the boxes of a shared part and another one.
+  double distance(std::uint32_t part, const Box3d& box) const {
+    return least_distance(boxes_[part], box);
+  }
+  /// Calls visit(part) for every shared part whose box is nearer to the box than bound(), as long as it is.
+  template <typename Bound, typename Visit>
+  void visit_near(const Box3d& box, Bound bound, Visit visit) const {
+    tree_.visit([&](const Box3d& b) { return least_distance(b, box) < bound(); }, visit);
+  }
+
+  /// REQUIRES finite coordinates. The mesh must outlive it.
+  static std::unique_ptr<const SurfaceParts> of(const TriangleMesh& mesh);
+  /// REQUIRES positive weights. The complex must outlive it.
+  static std::unique_ptr<const SurfaceParts> of(const PatchComplex& complex);
+
+ protected:
+  void set_boxes(std::vector<Box3d> boxes) {
+    tree_ = BoxHierarchy(boxes);
+    boxes_ = std::move(boxes);
+  }
+  const Box3d& box_of_shared(std::uint32_t part) const { return boxes_[part]; }
+
+ private:
+  std::vector<Box3d> boxes_;
+  BoxHierarchy tree_;
+};
+
+}  // namespace veritope::internal

@@ -503,7 +503,7 @@ class MicroRun {
         MicroRunReport::Composed{{*options_.emit, emitted_->sha256(), emitted_->num_bytes()},
                                  surface->num_patches(),
                                  surface->num_curves(),
-                                 micro_.bridges.size() - surface->bridges_left_out().size(),
+                                 micro_.num_bridges() - surface->bridges_left_out().size(),
                                  surface->bridges_left_out()};
     report_.seconds.compose = watch.lap();
     return kExitValid;

@@ -10,11 +10,11 @@ namespace veritope::internal {
 namespace {
 
 // Where a curve ends: at the point of the surface that is nearest to a point of the cap's normal, `ahead` times the
-// distance of the surface, or the arm, from the cap; or where a ray along the cage's line meets the surface, or one of
-// a fan of rays around the normal: those where the surface is nearly parallel to the cap.
-enum class SweepAim : std::uint8_t { kDistances, kArms, kAxis, kFan };
+// distance of the surface, or the arm, from the cap; or where a ray along the cage's line meets the surface, or one
+// of the rays around the normal: those where the surface is nearly parallel to the cap.
+enum class SweepAim : std::uint8_t { kDistances, kArms, kAxis, kRays };
 // Its middle point is that of algorithm 4 (kFull); or lies along the normal as far off as alpha times the way of the end
-// along it (kNormal), or halfway to the end (kStraight). `ahead` is the number of the ray if it is one of the fan.
+// along it (kNormal), or halfway to the end (kStraight). `ahead` is the number of the ray if it is one of these.
 enum class SweepLead : std::uint8_t { kFull, kNormal, kStraight };
 struct SweepShape {
   SweepAim aim;
@@ -25,28 +25,28 @@ struct SweepShape {
 constexpr std::array<SweepShape, kSweepTries> kSweepShapes = {{
     {SweepAim::kDistances, 0, SweepLead::kFull},
     {SweepAim::kArms, 1.2, SweepLead::kNormal},
-    {SweepAim::kFan, 0, SweepLead::kNormal},
+    {SweepAim::kRays, 0, SweepLead::kNormal},
     {SweepAim::kArms, 0.5, SweepLead::kNormal},
-    {SweepAim::kFan, 1, SweepLead::kNormal},
+    {SweepAim::kRays, 1, SweepLead::kNormal},
     {SweepAim::kAxis, 0, SweepLead::kStraight},
-    {SweepAim::kFan, 2, SweepLead::kNormal},
-    {SweepAim::kFan, 0, SweepLead::kStraight},
-    {SweepAim::kFan, 3, SweepLead::kNormal},
+    {SweepAim::kRays, 2, SweepLead::kNormal},
+    {SweepAim::kRays, 0, SweepLead::kStraight},
+    {SweepAim::kRays, 3, SweepLead::kNormal},
     {SweepAim::kDistances, 0, SweepLead::kStraight},
-    {SweepAim::kFan, 4, SweepLead::kNormal},
-    {SweepAim::kFan, 1, SweepLead::kStraight},
-    {SweepAim::kFan, 5, SweepLead::kNormal},
-    {SweepAim::kFan, 2, SweepLead::kStraight},
-    {SweepAim::kFan, 6, SweepLead::kNormal},
-    {SweepAim::kFan, 3, SweepLead::kStraight},
+    {SweepAim::kRays, 4, SweepLead::kNormal},
+    {SweepAim::kRays, 1, SweepLead::kStraight},
+    {SweepAim::kRays, 5, SweepLead::kNormal},
+    {SweepAim::kRays, 2, SweepLead::kStraight},
+    {SweepAim::kRays, 6, SweepLead::kNormal},
+    {SweepAim::kRays, 3, SweepLead::kStraight},
 }};
 // The cap ends at this part of the skin from the surface, where it is nearest.
 constexpr double kLeastDepth = 0.1;
 // How far the middle point may go along the normal, of the end's way.
 constexpr double kMostLead = 0.8;
-// Rays of the fan: around the normal, by their slopes.
-constexpr std::array<double, 4> kFanSlopes = {0, 0.35, 0.75, 1.3};
-constexpr int kFanRays = 8;  // of each slope
+// Rays around the normal, by their slopes.
+constexpr std::array<double, 4> kRaySlopes = {0, 0.35, 0.75, 1.3};
+constexpr int kRaysOfSlope = 8;  // of each slope
 constexpr double kFullTurn = 6.28318530717959;
 constexpr int kMostRaySteps = 48, kMostCuts = 24;
 
@@ -83,31 +83,31 @@ double SweepProposals::tilt(const Point3d& normal) const {
 }
 
 // The hits of rays at which the cap would be within the skin, those nearest to the normal first.
-const std::vector<Point3d>& SweepProposals::fan() {
-  if (fan_) return *fan_;
-  fan_.emplace();
+const std::vector<Point3d>& SweepProposals::hits() {
+  if (hits_) return *hits_;
+  hits_.emplace();
   Point3d across = cross_product(cap_.normal, {1, 0, 0});
   if (std::abs(cap_.normal[0]) > 0.8) across = cross_product(cap_.normal, {0, 1, 0});
   across = unit_vector(across);
   const Point3d other = cross_product(cap_.normal, across);
-  for (const double slope : kFanSlopes)
-    for (int ray = 0; ray < (slope > 0 ? kFanRays : 1); ++ray) {
-      const double angle = kFullTurn * ray / kFanRays;
+  for (const double slope : kRaySlopes)
+    for (int ray = 0; ray < (slope > 0 ? kRaysOfSlope : 1); ++ray) {
+      const double angle = kFullTurn * ray / kRaysOfSlope;
       const Point3d way = sum_of(sum_of(cap_.normal, slope * std::cos(angle), across),
                                  slope * std::sin(angle), other);
       const auto hit = hit_along(unit_vector(way));
       if (hit && tilt(skin_.nearest(*hit).normal) < (1 - kLeastDepth) * options_.skin)
-        fan_->push_back(*hit);
+        hits_->push_back(*hit);
     }
-  return *fan_;
+  return *hits_;
 }
 
 std::optional<Point3d> SweepProposals::end_of(std::size_t aim, double ahead) {
   switch (static_cast<SweepAim>(aim)) {
     case SweepAim::kAxis: return hit_along(cap_.axis);
-    case SweepAim::kFan: {
+    case SweepAim::kRays: {
       const auto number = static_cast<std::size_t>(ahead);
-      return number < fan().size() ? std::optional(fan()[number]) : std::nullopt;
+      return number < hits().size() ? std::optional(hits()[number]) : std::nullopt;
     }
     case SweepAim::kArms: ahead *= cap_.arm; break;
     case SweepAim::kDistances: ahead = options_.alpha * distance_; break;

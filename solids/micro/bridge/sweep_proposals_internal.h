@@ -40,7 +40,7 @@ class SweepProposals {
   };
   std::optional<Point3d> hit_along(const Point3d& direction) const;
   double tilt(const Point3d& normal) const;
-  const std::vector<Point3d>& fan();
+  const std::vector<Point3d>& hits();
   std::optional<Point3d> end_of(std::size_t aim, double ahead);
   std::optional<Curve> curve(int index);
   std::optional<Curve> drawn_back(const Curve& curve, double depth) const;
@@ -50,7 +50,7 @@ class SweepProposals {
   const BridgeOptions& options_;
   const SpaceCap& cap_;
   double distance_ = 0;
-  std::optional<std::vector<Point3d>> fan_;
+  std::optional<std::vector<Point3d>> hits_;
 };
 
 }  // namespace veritope::internal

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_micro_bridges.cc: --rounds N --seed S. Bridges from jacks in random cages to the skins of random solids:
-// star-shaped ones with bumps, and tori, of a few thousand facets. Wrong: a bridge that prove_bridges does not prove;
-// an exact point of a bridge that is not in the interior of the solid; one of an end face farther from the surface
-// than the skin; a mesh of the whole that is not VALID with the numbers of the tiles. One JSON line: caps, bridges,
+// bench/soak_micro_bridges.cc: --rounds N --seed S --kind domain|space. Bridges, or sweeps, from jacks in random cages to
+// the skins of random solids: star-shaped ones with bumps, and tori, of a few thousand facets. Wrong: a bridge that
+// prove_bridges does not prove, or a sweep that prove_sweeps does not; an exact point of one that is not in the interior
+// of the solid; one of an end face farther from the surface than the skin; one of a sweep that lies in a tile, as far as
+// a fine mesh of the tiles tells; a mesh of the whole that is not VALID with the numbers of the tiles. One JSON line: caps, bridges,
 // those dropped by reasons, and how many tries with positive determinants got a matrix. Seeds of what is wrong go to
 // standard error.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "bench/arguments.h"
@@ -16,10 +18,13 @@
 #include "solids/classify/mesh_projection.h"
 #include "solids/micro/bridge/bridge_proof.h"
 #include "solids/micro/bridge/build_bridges.h"
+#include "solids/micro/bridge/build_sweeps.h"
+#include "solids/micro/bridge/sweep_proof.h"
 #include "solids/micro/fill_cage.h"
 #include "solids/micro/jack.h"
 #include "solids/micro/mesh/micro_mesh.h"
 #include "solids/micro/micro_topology.h"
+#include "solids/micro/sweep_start.h"
 #include "solids/micro/synthesis/filter_tiles.h"
 #include "solids/polyhedron/validity.h"
 #include "splines/de_boor.h"
@@ -140,7 +145,65 @@ std::string fault_of_points(const Microstructure& micro, const TriangleMesh& sol
   return "";
 }
 
-std::string fault_of_round(Random& random, Totals& totals) {
+// The point (u, v, w) of a sweep, exactly.
+ExactPoint point_of_sweep(const Microstructure& micro, const MicroSweep& sweep,
+                          const BezierSurface<Rational>& cap, const std::array<Rational, 3>& at) {
+  const MicroGrid& grid = micro.grids[sweep.cap.grid];
+  const auto cell = grid.shape().index_of(sweep.cap.cell);
+  const auto across = static_cast<std::size_t>(sweep.cap.wall / 2);
+  const auto p = evaluate<Rational, 2>(cap, {at[0], at[1]});
+  std::array<Rational, 3> x;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Rational &lo = grid.breaks[a][cell[a]], &hi = grid.breaks[a][cell[a] + 1];
+    x[a] = a == across ? (sweep.cap.wall % 2 == 0 ? lo : hi)
+                       : lo + (hi - lo) * p[a < across ? a : a - 1];
+  }
+  const auto image = point(micro.cage[grid.volume], x).value();
+  const Rational &w = at[2], first = Rational(2) * w * (Rational(1) - w), second = w * w;
+  ExactPoint out;
+  for (std::size_t c = 0; c < 3; ++c)
+    out[c] = image[c] + first * sweep.axis[0][c] + second * sweep.axis[1][c];
+  return out;
+}
+
+std::string fault_of_sweeps(const Microstructure& micro, const VModel& cage,
+                            const std::vector<AnalysedTile>& tiles, const TriangleMesh& solid,
+                            double skin, Random& random, Totals& totals) {
+  const MeshClassifier classifier = std::move(MeshClassifier::make(solid).value());
+  const MeshProjection projection(solid);
+  const SweepStarts starts(micro, tiles);
+  Microstructure alone = micro;
+  alone.sweeps.clear();
+  MicroMeshOptions meshing;
+  meshing.chord = 0.004;
+  std::optional<MicroMesh> mesh;
+  if (random.below(4) == 0 && !micro.sweeps.empty())
+    mesh = std::move(mesh_of(alone, cage, tiles, meshing).value());
+  std::optional<MeshClassifier> in_tiles;
+  if (mesh) in_tiles.emplace(std::move(MeshClassifier::make(mesh->mesh).value()));
+  const Rational most = Rational::from_double(skin) * Rational::from_double(skin);
+  for (const MicroSweep& s : micro.sweeps) {
+    if (random.below(4) != 0) continue;
+    const BezierSurface<Rational> cap = starts.cap(s.cap).value();
+    for (int sample = 0; sample < 4; ++sample) {
+      const auto t = [&] { return Rational(random.between(0, 64)) / Rational(64); };
+      const ExactPoint x =
+          point_of_sweep(micro, s, cap, {t(), t(), sample == 0 ? Rational(1) : t()});
+      ++totals.points;
+      if (classifier.classify(x).winding != 1)
+        return "a point of a sweep is not in the interior of the solid";
+      if (sample == 0 && projection.project(x).squared_distance > most)
+        return "an end is too far from the surface";
+      if (!mesh || in_tiles->classify(x).winding == 0) continue;
+      const Rational d = Rational::from_double(mesh->distance);
+      if (MeshProjection(mesh->mesh).project(x).squared_distance > d * d)
+        return "a point of a sweep lies in a tile";
+    }
+  }
+  return "";
+}
+
+std::string fault_of_round(Random& random, bool is_in_space, Totals& totals) {
   const TriangleMesh solid = random_solid(random);
   JackShape shape;
   shape.degree = random.below(2) == 0 ? 1 : 3;
@@ -164,7 +227,8 @@ std::string fault_of_round(Random& random, Totals& totals) {
   BridgeOptions options;
   options.alpha = number_between(random, 0.3, 0.7);
   options.skin = default_skin(solid) * number_between(random, 0.5, 1.5);
-  const BridgeReport report = build_bridges(solid, cage, tiles, options, micro).value();
+  const auto builder = is_in_space ? build_sweeps : build_bridges;
+  const BridgeReport report = builder(solid, cage, tiles, options, micro).value();
   ++totals.rounds;
   for (const std::uint8_t t : micro.grids[0].tiles) totals.tiles += t != 0;
   totals.caps += report.caps;
@@ -178,7 +242,12 @@ std::string fault_of_round(Random& random, Totals& totals) {
   const auto proof = prove_bridges(micro, cage, tiles);
   if (const auto* defect = std::get_if<BridgeDefect>(&proof))
     return std::string("a bridge is not proved: ") + defect->condition;
-  if (std::string fault = fault_of_points(micro, solid, options.skin, random, totals);
+  const auto swept = prove_sweeps(micro, cage, tiles, 1).value();
+  if (const auto* defect = std::get_if<BridgeDefect>(&swept))
+    return std::string("a sweep is not proved: ") + defect->condition;
+  if (std::string fault =
+          is_in_space ? fault_of_sweeps(micro, cage, tiles, solid, options.skin, random, totals)
+                      : fault_of_points(micro, solid, options.skin, random, totals);
       !fault.empty())
     return fault;
   if (random.below(4) != 0 || std::get<MicroCounts>(topology).tiles == 0) return "";
@@ -200,11 +269,16 @@ std::string fault_of_round(Random& random, Totals& totals) {
 int main(int argc, char** argv) {
   int rounds = 100;
   std::uint64_t seed = 1;
-  bench::read_arguments(argc, argv, {{"--rounds", &rounds}, {"--seed", &seed}});
+  std::string kind = "domain";
+  bench::read_arguments(argc, argv, {{"--rounds", &rounds}, {"--seed", &seed}, {"--kind", &kind}});
+  if (kind != "domain" && kind != "space") {
+    std::fprintf(stderr, "--kind must be domain or space, not %s\n", kind.c_str());
+    return 2;
+  }
   Totals t;
   for (int n = 0; n < rounds; ++n) {
     Random random(seed * 1000003 + static_cast<std::uint64_t>(n));
-    const std::string fault = fault_of_round(random, t);
+    const std::string fault = fault_of_round(random, kind == "space", t);
     if (fault.empty()) continue;
     ++t.wrong;
     std::fprintf(stderr, "wrong: %s, seed %llu, round %d\n", fault.c_str(),

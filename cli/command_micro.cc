@@ -23,6 +23,7 @@
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
 #include "solids/micro/bridge/build_bridges.h"
+#include "solids/micro/bridge/build_sweeps.h"
 #include "solids/micro/doubled_grids.h"
 #include "solids/micro/measure/cage_scale.h"
 #include "solids/micro/measure/micro_volume.h"
@@ -359,10 +360,12 @@ class MicroRun {
     if (mesh == nullptr || !options_.bridge.is_wanted || options_.nest) return kExitValid;
     progress_.phase(*options_.model, "building bridges");
     Stopwatch watch;
+    const auto builder = options_.bridge.are_in_space ? build_sweeps : build_bridges;
     Result<BridgeReport> built =
-        build_bridges(*mesh, *model_, tiles_, bridge_options(default_skin(*mesh)), micro_);
+        builder(*mesh, *model_, tiles_, bridge_options(default_skin(*mesh)), micro_);
     if (!built) return refuse(built.error());
     report_.bridges = std::move(*built);
+    report_.has_sweeps = !micro_.sweeps.empty();
     report_.seconds.bridge = watch.lap();
     return kExitValid;
   }
@@ -523,7 +526,7 @@ class MicroRun {
         MicroRunReport::Composed{{*options_.emit, emitted_->sha256(), emitted_->num_bytes()},
                                  surface->num_patches(),
                                  surface->num_curves(),
-                                 micro_.bridges.size() - surface->bridges_left_out().size(),
+                                 micro_.num_bridges() - surface->bridges_left_out().size(),
                                  surface->bridges_left_out()};
     report_.seconds.compose = watch.lap();
     return kExitValid;

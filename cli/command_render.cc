@@ -303,7 +303,7 @@ class RenderRun {
     MicroPicture& picture = report_.micro.emplace();
     picture.has_cage = options_.nets;
     picture.around = options_.around;
-    picture.bridges = file.micro.bridges.size();
+    picture.bridges = file.micro.num_bridges();
     for (const MicroGrid& grid : file.micro.grids)
       for (const std::uint8_t t : grid.tiles) picture.tiles += t != 0;
     set_bounds(*view);

@@ -138,8 +138,8 @@ Result<ModelView> view_of_micro(const Microstructure& micro, const MicroViewOpti
     for (const std::uint8_t t : grid.tiles) tiles += t != 0;
   ModelView out;
   out.content = counted(tiles, "tile", "tiles");
-  if (!micro.bridges.empty())
-    out.content += ", " + counted(micro.bridges.size(), "bridge", "bridges");
+  if (micro.num_bridges() != 0)
+    out.content += ", " + counted(micro.num_bridges(), "bridge", "bridges");
   if (kind != ViewKind::kPng) out.content += ", " + content_of(*parts);
   if (kind == ViewKind::kObj) {
     out.bytes = parts_obj(*parts);

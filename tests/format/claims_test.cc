@@ -158,9 +158,19 @@ MicroBody micro() {
   b.tiles.push_back(StarTileProof{{half, odd, half}, 300});
   b.tiles.push_back(star_2());
   b.tiles.push_back(StarTileProof{{half, half, half}, 0});
-  b.bridges.push_back({{half, odd, half, odd, half, odd, odd, odd, half}, {}});
-  b.bridges.push_back({{half, half, half, odd, half, odd, odd, odd, half}, {odd, half}});
+  b.bridges =
+      std::vector<BridgeProof>{{{half, odd, half, odd, half, odd, odd, odd, half}, {}},
+                               {{half, half, half, odd, half, odd, odd, odd, half}, {odd, half}}};
   b.cage = vmodel();
+  return b;
+}
+
+MicroBody micro_with_sweeps() {
+  MicroBody b = micro();
+  const Fraction half{false, {1}, {2}}, odd{true, {3, 1}, {7, 9}};
+  b.bridges =
+      std::vector<SweepProof>{{{half, odd, half, odd, half, odd, odd, odd, half}, half, half},
+                              {{half, half, half, odd, half, odd, odd, odd, half}, odd, half}};
   return b;
 }
 
@@ -239,7 +249,8 @@ std::map<std::string, Example, std::less<>> examples() {
   VModelQuantities of_cells;
   of_cells.euler = -3;
   all["vmodel-1"] = {encode(subject, of_cells, vmodel()), {vmodel()}, {}};
-  all["microstructure-1"] = {encode(subject, MicroQuantities{}, micro()), {micro()}, {}};
+  all["microstructure-1"] = {
+      encode(subject, MicroQuantities{}, micro()), {micro(), micro_with_sweeps()}, {}};
   std::vector<AnyBody> findings;
   for (const VModelInvalidBody& body : invalid_vmodels()) findings.emplace_back(body);
   all["vmodel-invalid-1"] = {encode(subject, invalid_vmodels()[0]), std::move(findings), {}};

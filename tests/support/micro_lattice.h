@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/micro_lattice.h: jacks in a block, and the bridges that lead from them to its surface.
+// tests/support/micro_lattice.h: jacks in a block, and the bridges and sweeps that lead from them to its surface.
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "solids/micro/bridge/build_bridges.h"
+#include "solids/micro/bridge/build_sweeps.h"
+#include "solids/micro/bridge/sweep_proof.h"
 #include "solids/micro/bridge_front.h"
 #include "solids/polyhedron/triangle_mesh.h"
 #include "splines/de_boor.h"
@@ -73,6 +77,20 @@ struct Lattice {
     options.skin = skin;
     options.jobs = jobs;
     return build_bridges(solid, cage, tiles, options, micro).value();
+  }
+  BridgeReport sweep(double skin = 0.02, unsigned jobs = 1) {
+    BridgeOptions options;
+    options.skin = skin;
+    options.jobs = jobs;
+    return build_sweeps(solid, cage, tiles, options, micro).value();
+  }
+  // The condition of the first sweep that is not proved, and its number; or nothing.
+  std::string defect_of_sweeps() const {
+    const auto proof = prove_sweeps(micro, cage, tiles, 1).value();
+    const auto* const defect = std::get_if<BridgeDefect>(&proof);
+    return defect == nullptr
+               ? ""
+               : std::string(defect->condition) + " of " + std::to_string(defect->bridge);
   }
 };
 

@@ -152,18 +152,19 @@ Point3d unit_of(const VolumeSpace& volume, const Box3d& box) {
   return unit;
 }
 
+bool hull_misses(const SkinFacets& skin, const HullPoints& points) {
+  const PointHull hull(points);
+  bool is_apart = true;
+  skin.visit(outer_box_of_points(points),
+             [&](std::uint32_t f) { is_apart = is_apart && hull.is_apart(skin.corners(f)); });
+  return is_apart;
+}
 bool node_misses(const SkinFacets& skin, const VolumeSpace& volume, const Box3d& box,
                  std::vector<HullPoints>& hulls) {
   hulls.clear();
   if (!volume.hulls(box, &hulls)) return false;
-  for (const HullPoints& points : hulls) {
-    const PointHull hull(points);
-    bool is_apart = true;
-    skin.visit(outer_box_of_points(points),
-               [&](std::uint32_t f) { is_apart = is_apart && hull.is_apart(skin.corners(f)); });
-    if (!is_apart) return false;
-  }
-  return true;
+  return std::all_of(hulls.begin(), hulls.end(),
+                     [&](const HullPoints& points) { return hull_misses(skin, points); });
 }
 
 // The least bound that holds for all points and one facet, if it is at most `most`.
@@ -192,6 +193,36 @@ std::optional<double> bound_of(const SkinFacets& skin, const HullPoints& points,
   return best;
 }
 
+// Raises `worst` to what holds for all points of each hull; false if no bound up to `most` is proved for one of them.
+bool raise_bound(const SkinFacets& skin, const std::vector<HullPoints>& hulls, double most,
+                 double* worst) {
+  double here = 0;
+  for (const HullPoints& points : hulls) {
+    const auto bound = bound_of(skin, points, most);
+    if (!bound) return false;
+    here = std::max(here, *bound);
+  }
+  *worst = std::max(*worst, here);
+  return true;
+}
+
+// Whether the root is dropped, or all of its parts are, after so few halvings.
+template <typename Node, typename Drops, typename Halves>
+bool drops_all(Node root, int most_levels, int most_halvings, Drops drops, Halves halves) {
+  std::vector<Node> stack;
+  stack.push_back(std::move(root));
+  while (!stack.empty()) {
+    const Node node = std::move(stack.back());
+    stack.pop_back();
+    if (drops(node)) continue;
+    if (node.level >= most_levels || --most_halvings < 0) return false;
+    auto [low, high] = halves(node);
+    stack.push_back(std::move(low));
+    stack.push_back(std::move(high));
+  }
+  return true;
+}
+
 }  // namespace
 
 SkinFacets::SkinFacets(const TriangleMesh& mesh) {
@@ -208,53 +239,64 @@ SkinFacets::SkinFacets(const TriangleMesh& mesh) {
 bool misses_facets(const SkinFacets& skin, const VolumeSpace& volume, const MicroBridge& bridge) {
   const ScopedUpward upward;
   const NetHalver halver = halver_of(bridge, 3);
-  std::vector<NetNode> stack = {node_of(bridge, false)};
-  const Point3d unit = unit_of(volume, halver.box(stack.back()));
+  NetNode root = node_of(bridge, false);
+  const Point3d unit = unit_of(volume, halver.box(root));
   std::vector<HullPoints> hulls;
-  int left = kMostClearanceNodes;
-  while (!stack.empty()) {
-    const NetNode node = std::move(stack.back());
-    stack.pop_back();
-    if (node_misses(skin, volume, halver.box(node), hulls)) continue;
-    if (node.level >= kMostClearanceLevels || --left < 0) return false;
-    auto [low, high] = halver.halves(node, halver.longest(node, unit));
-    stack.push_back(std::move(low));
-    stack.push_back(std::move(high));
-  }
-  return true;
+  return drops_all(
+      std::move(root), kMostClearanceLevels, kMostClearanceNodes,
+      [&](const NetNode& node) { return node_misses(skin, volume, halver.box(node), hulls); },
+      [&](const NetNode& node) { return halver.halves(node, halver.longest(node, unit)); });
+}
+
+bool misses_facets(const SkinFacets& skin, SweepNodes& sweep) {
+  const ScopedUpward upward;
+  HullPoints points;
+  return drops_all(
+      SweepNodes::Node(), kMostClearanceLevels, kMostClearanceNodes,
+      [&](const SweepNodes::Node& node) {
+        sweep.points(node, &points);
+        return hull_misses(skin, points);
+      },
+      [&](const SweepNodes::Node& node) { return sweep.halves(node); });
 }
 
 std::optional<double> end_distance(const SkinFacets& skin, const VolumeSpace& volume,
                                    const MicroBridge& bridge, double most) {
   const ScopedUpward upward;
   const NetHalver halver = halver_of(bridge, 1);
-  std::vector<NetNode> stack = {node_of(bridge, true)};
-  const Point3d unit = unit_of(volume, halver.box(stack.back()));
+  NetNode root = node_of(bridge, true);
+  const Point3d unit = unit_of(volume, halver.box(root));
   std::vector<HullPoints> hulls;
-  int left = kMostEndNodes;
   double worst = 0;
-  while (!stack.empty()) {
-    const NetNode node = std::move(stack.back());
-    stack.pop_back();
-    hulls.clear();
-    if (!volume.hulls(halver.box(node), &hulls)) return std::nullopt;
-    bool is_bounded = true;
-    double here = 0;
-    for (const HullPoints& points : hulls) {
-      const auto bound = bound_of(skin, points, most);
-      is_bounded = is_bounded && bound.has_value();
-      if (bound) here = std::max(here, *bound);
-    }
-    if (is_bounded) {
-      worst = std::max(worst, here);
-      continue;
-    }
-    if (node.level >= kMostEndLevels || --left < 0) return std::nullopt;
-    auto [low, high] = halver.halves(node, halver.longest(node, unit));
-    stack.push_back(std::move(low));
-    stack.push_back(std::move(high));
-  }
-  return worst;
+  const bool are_bounded = drops_all(
+      std::move(root), kMostEndLevels, kMostEndNodes,
+      [&](const NetNode& node) {
+        hulls.clear();
+        return volume.hulls(halver.box(node), &hulls) && raise_bound(skin, hulls, most, &worst);
+      },
+      [&](const NetNode& node) { return halver.halves(node, halver.longest(node, unit)); });
+  return are_bounded ? std::optional(worst) : std::nullopt;
+}
+
+std::optional<double> end_distance(const SkinFacets& skin, SweepNodes& sweep, double most) {
+  const ScopedUpward upward;
+  struct EndPart {
+    std::uint32_t part = 0;
+    int level = 0;
+  };
+  std::vector<HullPoints> hulls(1);
+  double worst = 0;
+  const bool are_bounded = drops_all(
+      EndPart(), kMostEndLevels, kMostEndNodes,
+      [&](const EndPart& node) {
+        sweep.end_points(node.part, &hulls[0]);
+        return raise_bound(skin, hulls, most, &worst);
+      },
+      [&](const EndPart& node) {
+        const auto [low, high] = sweep.halves_of_part(node.part);
+        return std::pair(EndPart{low, node.level + 1}, EndPart{high, node.level + 1});
+      });
+  return are_bounded ? std::optional(worst) : std::nullopt;
 }
 
 }  // namespace veritope

@@ -71,7 +71,29 @@ Status ComposedSurface::find_cells() {
     }
   }
   Status covered = cover_equal_caps(numbers);
-  return covered ? cover_bridged_caps(numbers) : covered;
+  if (covered) covered = cover_bridged_caps(numbers);
+  return covered ? cover_swept_caps(numbers) : covered;
+}
+
+Status ComposedSurface::cover_swept_caps(const std::vector<std::vector<std::uint32_t>>& numbers) {
+  for (std::uint32_t s = 0; s < micro_->sweeps.size(); ++s) {
+    const CapPlace& place = micro_->sweeps[s].cap;
+    ComposedCell& cell = cells_[numbers[place.grid][place.cell]];
+    const AnalysedTile& tile = (*tiles_)[cell.tile];
+    const auto& caps = tile.caps_of_wall[static_cast<std::size_t>(place.wall)];
+    if (caps.size() != 1 || tile.caps[caps.front()].patches.size() != 1)
+      return bad_argument("sweep " + std::to_string(s) +
+                          " starts at a wall that does not hold one cap of one patch");
+    cell.covered_caps |= std::uint64_t{1} << caps.front();
+    cell.bridges.push_back(s);
+  }
+  return ok_status();
+}
+const TilePatch& ComposedSurface::patch_of_sweep(std::uint32_t number) const {
+  const CapPlace& place = micro_->sweeps[number].cap;
+  const AnalysedTile& tile = (*tiles_)[micro_->grids[place.grid].tiles[place.cell] - 1u];
+  const std::uint32_t cap = tile.caps_of_wall[static_cast<std::size_t>(place.wall)].front();
+  return tile.tile.patches[tile.caps[cap].patches.front()];
 }
 
 Status ComposedSurface::cover_equal_caps(const std::vector<std::vector<std::uint32_t>>& numbers) {
@@ -148,9 +170,7 @@ bool ComposedSurface::is_left_out(const ComposedCell& cell, std::size_t patch) c
 
 Status ComposedSurface::count_patch(std::uint32_t volume, const std::array<int, 2>& degrees,
                                     const std::string& name) {
-  const VVolume& map = micro_->cage[volume];
-  const std::array<int, 2> composed = composed_degrees(
-      std::array<int, 3>{map.axis(0).degree, map.axis(1).degree, map.axis(2).degree}, degrees);
+  const std::array<int, 2> composed = degrees_after(volume, degrees);
   if (std::max(composed[0], composed[1]) > kMaxSplineDegree)
     return Error{Code::kOverLimit,
                  {},
@@ -165,6 +185,38 @@ Status ComposedSurface::count_patch(std::uint32_t volume, const std::array<int, 
   return ok_status();
 }
 
+std::array<int, 2> ComposedSurface::degrees_after(std::uint32_t volume,
+                                                  const std::array<int, 2>& degrees) const {
+  const VVolume& map = micro_->cage[volume];
+  return composed_degrees(
+      std::array<int, 3>{map.axis(0).degree, map.axis(1).degree, map.axis(2).degree}, degrees);
+}
+
+// Those of a bridge or of a sweep.
+Status ComposedSurface::count_faces(std::uint32_t number) {
+  if (micro_->sweeps.empty()) {
+    const MicroBridge& bridge = micro_->bridges[number];
+    for (const BezierSurface<Rational>& face : free_faces(bridge))
+      if (Status status = count_patch(bridge.volume, face.degrees(),
+                                      "a face of bridge " + std::to_string(number));
+          !status)
+        return status;
+    return ok_status();
+  }
+  const std::uint32_t volume = micro_->grids[micro_->sweeps[number].cap.grid].volume;
+  const std::array<int, 2> cap = patch_of_sweep(number).degrees;
+  // The end has the degrees of the cap; each of four sides has one of them.
+  if (Status status = count_patch(volume, cap, "the end of sweep " + std::to_string(number));
+      !status)
+    return status;
+  const std::array<int, 2> composed = degrees_after(volume, cap);
+  num_patches_ += kFreeBridgeFaces - 1;
+  for (const int degree : composed)
+    num_points_ +=
+        std::uint64_t{2} * (kBridgeAxisDegree + 1) * static_cast<std::uint64_t>(degree + 1);
+  return ok_status();
+}
+
 Status ComposedSurface::count() {
   for (const ComposedCell& cell : cells_) {
     const MicroTile& tile = (*tiles_)[cell.tile].tile;
@@ -175,14 +227,8 @@ Status ComposedSurface::count() {
           !status)
         return status;
     }
-    for (const std::uint32_t b : cell.bridges) {
-      const MicroBridge& bridge = micro_->bridges[b];
-      for (const BezierSurface<Rational>& face : free_faces(bridge))
-        if (Status status =
-                count_patch(bridge.volume, face.degrees(), "a face of bridge " + std::to_string(b));
-            !status)
-          return status;
-    }
+    for (const std::uint32_t b : cell.bridges)
+      if (Status status = count_faces(b); !status) return status;
   }
   return ok_status();
 }
@@ -193,7 +239,8 @@ std::vector<std::vector<ComposedPatch>> ComposedSurface::compose(std::size_t beg
   CellPiece piece(*micro_);
   for (std::size_t n = begin; n < end; ++n) {
     compose_tile(cells_[n], piece, out.emplace_back());
-    for (const std::uint32_t b : cells_[n].bridges) compose_bridge(b, out.back());
+    for (const std::uint32_t b : cells_[n].bridges)
+      micro_->sweeps.empty() ? compose_bridge(b, out.back()) : compose_sweep(b, piece, out.back());
   }
   return out;
 }
@@ -214,6 +261,22 @@ void ComposedSurface::compose_tile(const ComposedCell& cell, CellPiece& piece,
     out.push_back({p, std::nullopt,
                    is_left_handed && !tile.is_open ? turned_round(surface) : std::move(surface)});
   }
+}
+
+// The piece is that of the cell.
+void ComposedSurface::compose_sweep(std::uint32_t number, internal::CellPiece& piece,
+                                    std::vector<ComposedPatch>& out) const {
+  const MicroSweep& sweep = micro_->sweeps[number];
+  const MicroGrid& grid = micro_->grids[sweep.cap.grid];
+  const TilePatch& patch = patch_of_sweep(number);
+  const WallNumbers numbers = grid.numbers_of(grid.shape().index_of(sweep.cap.cell));
+  const BezierSurface<Rational> image =
+      compose_by_integers(piece.map(), patch_in_piece(piece, patch, number_of(patch, numbers)))
+          .value();
+  const bool is_left_handed = cage_->hand(grid.volume) == Sign::kNegative;
+  std::uint32_t p = 0;
+  for (BezierSurface<Rational>& face : free_faces(sweep_map(sweep, image)))
+    out.push_back({p++, number, is_left_handed ? turned_round(face) : std::move(face)});
 }
 
 void ComposedSurface::compose_bridge(std::uint32_t number, std::vector<ComposedPatch>& out) const {

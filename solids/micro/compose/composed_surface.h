@@ -28,7 +28,8 @@ struct ComposedCell {
   std::uint64_t cell = 0;
   /// A bit for each cap that lies inside: one that is equal to a cap of another cell, or that a composed bridge covers.
   std::uint64_t covered_caps = 0;
-  std::vector<std::uint32_t> bridges;  ///< those that start here and are composed, ascending
+  std::vector<std::uint32_t>
+      bridges;  ///< those that start here and are composed, or the sweeps, ascending
 };
 
 /// A patch of a tile, or a free face of a bridge, after the map of the volume: of its degrees, each times the sum of
@@ -36,16 +37,17 @@ struct ComposedCell {
 struct ComposedPatch {
   std::uint32_t patch = 0;  ///< its number in the tile, or in free_faces of the bridge
   std::optional<std::uint32_t>
-      bridge;  ///< the number of the bridge; nothing for a patch of the tile
+      bridge;  ///< the number of the bridge or sweep; nothing for a patch of the tile
   BezierSurface<Rational> surface{{1, 1}, 3, false};
 };
 
 /// All patches of all tiles and the free faces of all bridges, but for patches of equal caps and of caps that bridges
 /// cover, which lie in the interior of the structure: together they are a closed surface. S_u x S_v turns outward. A
-/// bridge is left out, and its cap stays, where its net is in no box of the parameters on which the map of the volume
-/// is one polynomial, or rational, map: where it crosses a knot that the map needs, its faces after the map are no
-/// patches with polynomial sides. Tiles of curves and sheets are composed as they are, in their own orientation.
-/// Nothing is rounded. Immutable.
+/// bridge is left out, and its cap stays, where its net is in no box of the parameters on which the map of the volume is
+/// one polynomial, or rational, map: where it crosses a knot that the map needs, its faces after the map are no patches
+/// with polynomial sides. The faces of a sweep, which is in space, have the degrees of the composed cap and 2; none is
+/// left out. Tiles of curves and sheets are composed as they are, in their own orientation. Nothing is
+/// rounded. Immutable.
 class ComposedSurface {
  public:
   /// REQUIRES that the cage is that of micro, the analysed tiles are its tiles, each with at most 64 caps, that
@@ -76,6 +78,12 @@ class ComposedSurface {
   Status find_cells();
   Status cover_equal_caps(const std::vector<std::vector<std::uint32_t>>& numbers);
   Status cover_bridged_caps(const std::vector<std::vector<std::uint32_t>>& numbers);
+  Status cover_swept_caps(const std::vector<std::vector<std::uint32_t>>& numbers);
+  const TilePatch& patch_of_sweep(std::uint32_t number) const;
+  std::array<int, 2> degrees_after(std::uint32_t volume, const std::array<int, 2>& degrees) const;
+  Status count_faces(std::uint32_t number);
+  void compose_sweep(std::uint32_t number, internal::CellPiece& piece,
+                     std::vector<ComposedPatch>& out) const;
   Status count();
   Status count_patch(std::uint32_t volume, const std::array<int, 2>& degrees,
                      const std::string& name);

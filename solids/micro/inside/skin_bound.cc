@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// I4: how far the end faces of bridges are from the surface of the solid, at most.
+// I4: how far the end faces of bridges and sweeps are from the surface of the solid, at most.
 #include <algorithm>
 #include <cmath>
 #include <queue>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "interval/box_geometry.h"
@@ -12,6 +13,8 @@
 #include "solids/classify/triangle_bound.h"
 #include "solids/micro/inside/descent_internal.h"
 #include "solids/micro/inside/inside_parts_internal.h"
+#include "solids/micro/sweep_nodes.h"
+#include "solids/micro/sweep_start.h"
 
 namespace veritope::internal {
 
@@ -27,7 +30,9 @@ constexpr double kWorth = 1 + 0x1p-7;  // a bound that is nearer to the least on
 struct SkinNode {
   double bound = 0;
   std::uint32_t bridge = 0;
-  PatchNode part;
+  PatchNode part;                // of a bridge
+  std::uint32_t sweep_part = 0;  // of a sweep
+  int level = 0;
 };
 struct IsNearer {
   bool operator()(const SkinNode& a, const SkinNode& b) const {
@@ -38,23 +43,31 @@ struct IsNearer {
 class SkinSearch {
  public:
   explicit SkinSearch(const InsideParts& parts)
-      : parts_(parts), num_nodes_(parts.micro.bridges.size()) {}
+      : parts_(parts), num_nodes_(parts.micro.num_bridges()) {
+    const SweepStarts starts(parts.micro, parts.tiles);
+    for (const MicroSweep& s : parts.micro.sweeps)
+      sweeps_.emplace_back(starts.wall(s.cap), starts.cap(s.cap).value(), s.axis);
+  }
 
   // The number of the bridge whose bound is infinite, if there is one.
   std::optional<std::uint32_t> run() {
     for (std::uint32_t b = 0; b < parts_.micro.bridges.size(); ++b) {
-      push(b, end_face(parts_.micro.bridges[b]));
+      push({0, b, end_face(parts_.micro.bridges[b]), 0, 0});
       if (!std::isfinite(nodes_.top().bound)) return b;
+    }
+    for (std::uint32_t s = 0; s < sweeps_.size(); ++s) {
+      push({0, s, {}, 0, 0});
+      if (!std::isfinite(nodes_.top().bound)) return s;
     }
     while (nodes_.top().bound > kWorth * least_) {
       const SkinNode top = nodes_.top();
-      if (top.part.level >= kMostLevel || num_nodes_[top.bridge] + 2 > kMostNodes ||
+      if (top.level >= kMostLevel || num_nodes_[top.bridge] + 2 > kMostNodes ||
           num_all_ > kAllSkinNodes + kMoreNodes * num_nodes_.size())
         break;
       nodes_.pop();
-      auto halves = top.part.halves();
-      push(top.bridge, std::move(halves.first));
-      push(top.bridge, std::move(halves.second));
+      auto halves = halves_of(top);
+      push(std::move(halves.first));
+      push(std::move(halves.second));
     }
     return std::nullopt;
   }
@@ -71,15 +84,29 @@ class SkinSearch {
     return out;
   }
 
-  void push(std::uint32_t bridge, PatchNode part) {
-    ++num_nodes_[bridge];
-    const BridgeMaps maps(parts_.volumes[parts_.micro.bridges[bridge].volume]);
-    double bound = 0;
+  std::pair<SkinNode, SkinNode> halves_of(const SkinNode& node) {
+    std::pair<SkinNode, SkinNode> out;
+    out.first.bridge = out.second.bridge = node.bridge;
+    out.first.level = out.second.level = node.level + 1;
+    if (sweeps_.empty())
+      std::tie(out.first.part, out.second.part) = node.part.halves();
+    else
+      std::tie(out.first.sweep_part, out.second.sweep_part) =
+          sweeps_[node.bridge].halves_of_part(node.sweep_part);
+    return out;
+  }
+  // Finds the bound.
+  void push(SkinNode node) {
+    ++num_nodes_[node.bridge];
     std::vector<std::vector<Box3>> all;
-    if (!maps.boxes(part.box(), &all)) bound = HUGE_VAL;
-    for (const auto& points : all) bound = std::max(bound, bound_of(points));
+    if (!sweeps_.empty())
+      sweeps_[node.bridge].end_points(node.sweep_part, &all.emplace_back());
+    else if (!BridgeMaps(parts_.volumes[parts_.micro.bridges[node.bridge].volume])
+                  .boxes(node.part.box(), &all))
+      node.bound = HUGE_VAL;
+    for (const auto& points : all) node.bound = std::max(node.bound, bound_of(points));
     num_all_ += all.size();
-    nodes_.push({bound, bridge, std::move(part)});
+    nodes_.push(std::move(node));
   }
 
   // The least bound that one triangle gives for all of the points.
@@ -130,6 +157,7 @@ class SkinSearch {
   }
 
   const InsideParts& parts_;
+  std::vector<SweepNodes> sweeps_;      // then there are no bridges
   std::vector<std::size_t> num_nodes_;  // of each bridge
   std::size_t num_all_ = 0;             // each as often as it has spans
   std::priority_queue<SkinNode, std::vector<SkinNode>, IsNearer> nodes_;
@@ -150,7 +178,7 @@ Rational short_above(double bound) {
 }  // namespace
 
 std::optional<InsideDefect> skin_defect(const InsideParts& parts, std::optional<Rational>* out) {
-  if (parts.micro.bridges.empty()) return std::nullopt;
+  if (parts.micro.num_bridges() == 0) return std::nullopt;
   const ScopedUpward upward;
   SkinSearch search(parts);
   if (const auto bridge = search.run())

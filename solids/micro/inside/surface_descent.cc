@@ -12,6 +12,8 @@
 #include "solids/micro/inside/enclosed_patch_internal.h"
 #include "solids/micro/inside/grid_spans_internal.h"
 #include "solids/micro/inside/inside_parts_internal.h"
+#include "solids/micro/sweep_nodes.h"
+#include "solids/micro/sweep_start.h"
 
 namespace veritope::internal {
 
@@ -25,7 +27,7 @@ struct CellBlock {
   CellNumber begin, end;
 };
 
-// Cells or bridges that one thread takes at a time.
+// Cells, or bridges and sweeps, that one thread takes at a time.
 struct DescentUnit {
   std::uint32_t grid = 0;
   CellBlock cells{};
@@ -34,9 +36,21 @@ struct DescentUnit {
 
 using FacetList = std::vector<std::uint32_t>;
 
+// A part of a sweep, as a node of descend().
+struct SweepPart {
+  SweepNodes* sweep = nullptr;
+  SweepNodes::Node node;
+  int level = 0;
+
+  std::pair<SweepPart, SweepPart> halves() const {
+    const auto [a, b] = sweep->halves(node);
+    return {{sweep, a, level + 1}, {sweep, b, level + 1}};
+  }
+};
+
 // Everything that all units share.
 struct DescentWork {
-  explicit DescentWork(const InsideParts& p) : parts(p) {
+  explicit DescentWork(const InsideParts& p) : parts(p), starts(p.micro, p.tiles) {
     const ScopedUpward upward;
     for (const MicroTile& tile : p.micro.tiles) patches.push_back(enclosed_patches(tile));
     for (const MicroGrid& grid : p.micro.grids) {
@@ -48,6 +62,7 @@ struct DescentWork {
   const InsideParts& parts;
   std::vector<std::vector<EnclosedPatch>> patches;
   std::vector<std::array<AxisParts, 3>> axes;
+  SweepStarts starts;
 };
 
 class UnitDescent {
@@ -58,7 +73,8 @@ class UnitDescent {
   std::optional<InsideDefect> run() {
     const ScopedUpward upward;
     if (unit_.past_bridge > unit_.first_bridge) {
-      for (std::size_t b = unit_.first_bridge; b < unit_.past_bridge && !defect_; ++b) bridge(b);
+      for (std::size_t b = unit_.first_bridge; b < unit_.past_bridge && !defect_; ++b)
+        parts_.micro.sweeps.empty() ? bridge(b) : sweep(b);
     } else {
       block(unit_.cells, nullptr);
     }
@@ -189,6 +205,27 @@ class UnitDescent {
                            "bridge " + std::to_string(number) + " is not proved to miss triangle " +
                                std::to_string(*left)};
   }
+  // REQUIRES a cap of one patch.
+  void sweep(std::size_t number) {
+    const MicroSweep& s = parts_.micro.sweeps[number];
+    SweepNodes nodes(work_.starts.wall(s.cap), work_.starts.cap(s.cap).value(), s.axis);
+    FacetList all;
+    parts_.facets.visit(nodes.box({}), [&](std::uint32_t f) { all.push_back(f); });
+    std::sort(all.begin(), all.end());
+    const auto close_to = [&](const SweepPart& part, const FacetList& from) {
+      nodes.points(part.node, &scratch_);
+      points_.assign(scratch_);
+      return close_facets(points_, &from);
+    };
+    const auto left = descend(SweepPart{&nodes, {}, 0}, all, budget_, close_to);
+    if (!left) return;
+    defect_ = InsideDefect{"I1",
+                           {},
+                           static_cast<std::uint32_t>(number),
+                           *left,
+                           "sweep " + std::to_string(number) + " is not proved to miss triangle " +
+                               std::to_string(*left)};
+  }
   FacetList facets_near(const BridgeMaps& maps, const BridgeNode& node) const {
     std::vector<NodePoints> all;
     FacetList out;
@@ -229,14 +266,14 @@ std::vector<DescentUnit> descent_units(const DescentWork& work) {
         for (const auto& z : ranges[2])
           out.push_back({g, {{x.first, y.first, z.first}, {x.second, y.second, z.second}}, 0, 0});
   }
-  const std::size_t n = work.parts.micro.bridges.size();
+  const std::size_t n = work.parts.micro.num_bridges();
   for (std::size_t b = 0; b < n; b += kUnitBridges)
     out.push_back({0, {}, b, std::min(n, b + kUnitBridges)});
   return out;
 }
 
 DescentCounts most_work(const InsideParts& parts) {
-  std::uint64_t num_parts = parts.micro.bridges.size();
+  std::uint64_t num_parts = parts.micro.num_bridges();
   for (const MicroGrid& grid : parts.micro.grids)
     for (const std::uint8_t t : grid.tiles)
       if (t != 0) num_parts += parts.micro.tiles[t - 1u].patches.size();

@@ -6,8 +6,11 @@
 #include <string>
 #include <utility>
 
+#include "interval/upward.h"
 #include "solids/micro/inside/cage_inverse_internal.h"
 #include "solids/micro/inside/inside_parts_internal.h"
+#include "solids/micro/sweep_nodes.h"
+#include "solids/micro/sweep_start.h"
 #include "splines/bezier_domain.h"
 
 namespace veritope::internal {
@@ -38,6 +41,10 @@ class VoidSearch {
     facets_of_.resize(parts.model.shells.depth.size());
     for (std::uint32_t f = 0; f < parts.facets.size(); ++f)
       facets_of_[parts.model.shells.shell_of_face[f]].push_back(f);
+    const SweepStarts starts(parts.micro, parts.tiles);
+    const ScopedUpward upward;
+    for (const MicroSweep& s : parts.micro.sweeps)
+      sweeps_.push_back(SweepNodes(starts.wall(s.cap), starts.cap(s.cap).value(), s.axis).box({}));
   }
 
   std::optional<VoidPoint> find(std::uint32_t shell) {
@@ -113,8 +120,8 @@ class VoidSearch {
     if (is_near_bridge(volume, x)) return std::nullopt;
     const auto place = place_of(volume, x);
     if (!place) return std::nullopt;
-    if (!is_in_void(parts_.classifier.classify(parts_.volumes[volume].image(x))))
-      return std::nullopt;
+    const ExactPoint image = parts_.volumes[volume].image(x);
+    if (is_near_sweep(image) || !is_in_void(parts_.classifier.classify(image))) return std::nullopt;
     VoidPoint out{volume, x, 8};
     if (place->cell == kEmpty) return out;
     const auto corner = free_corner(*place, x);
@@ -135,6 +142,16 @@ class VoidSearch {
       if (is_in) return true;
     }
     return false;
+  }
+
+  bool is_near_sweep(const ExactPoint& image) const {
+    return std::any_of(sweeps_.begin(), sweeps_.end(), [&](const Box3d& box) {
+      for (std::size_t c = 0; c < 3; ++c)
+        if (image[c] < Rational::from_double(box.lo[c]) ||
+            Rational::from_double(box.hi[c]) < image[c])
+          return false;
+      return true;
+    });
   }
 
   static constexpr std::uint64_t kEmpty = 0xffffffffffffffff;
@@ -264,6 +281,7 @@ class VoidSearch {
   const InsideParts& parts_;
   CageInverse inverse_;
   std::vector<std::vector<std::uint32_t>> facets_of_;  // by shells
+  std::vector<Box3d> sweeps_;                          // around them
   std::uint32_t shell_ = 0;
   std::size_t left_ = kAllNodes;
 };

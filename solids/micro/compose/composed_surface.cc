@@ -264,7 +264,7 @@ void ComposedSurface::compose_tile(const ComposedCell& cell, CellPiece& piece,
 }
 
 // The piece is that of the cell.
-void ComposedSurface::compose_sweep(std::uint32_t number, internal::CellPiece& piece,
+void ComposedSurface::compose_sweep(std::uint32_t number, CellPiece& piece,
                                     std::vector<ComposedPatch>& out) const {
   const MicroSweep& sweep = micro_->sweeps[number];
   const MicroGrid& grid = micro_->grids[sweep.cap.grid];

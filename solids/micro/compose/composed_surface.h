@@ -82,7 +82,7 @@ class ComposedSurface {
   const TilePatch& patch_of_sweep(std::uint32_t number) const;
   std::array<int, 2> degrees_after(std::uint32_t volume, const std::array<int, 2>& degrees) const;
   Status count_faces(std::uint32_t number);
-  void compose_sweep(std::uint32_t number, internal::CellPiece& piece,
+  void compose_sweep(std::uint32_t number, CellPiece& piece,
                      std::vector<ComposedPatch>& out) const;
   Status count();
   Status count_patch(std::uint32_t volume, const std::array<int, 2>& degrees,

@@ -48,8 +48,8 @@ class MeetingCollector {
   std::vector<std::vector<FacetMeeting>> of_task_;
 };
 
-/// The pairs among all facets of the mesh, along a Morton curve. REQUIRES stars of the mesh, the box of its facets,
-/// fewer than 2^30 facets, which are not long and thin: there may be as many pairs as facets in each of their boxes.
+/// The pairs among all facets of the mesh, along a Morton curve, as a decision keeps them. REQUIRES the stars and the box
+/// of a valid mesh whose report is not long_thin: otherwise there may be too many pairs for the memory.
 FacetMeetings find_facet_meetings(const TriangleMesh& mesh, const VertexStars& stars,
                                   const Box3d& box, unsigned jobs, WorkShare* work);
 

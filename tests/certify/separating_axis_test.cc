@@ -108,7 +108,7 @@ TEST(SeparatingAxisLaw, HoldForFacetsThatAlmostTouch) {
   EXPECT_GT(missing, 100);
 }
 
-// The derivation of docs/bounds/pair_codes.md with u = 2^-53 and size 1: the magnitude of a number, and its error.
+// The derivation of docs/bounds/separating_axis.md with u = 2^-53 and size 1: the magnitude of a number, and its error.
 struct Rounded {
   Rational size, error;
 };

@@ -5,8 +5,8 @@
 usage: soak_micro_compilers.py BIN_FOLDER [OTHER_BIN_FOLDER] [--jobs N] [--keep FOLDER] [--run NAME ...]
 Without OTHER_BIN_FOLDER the program is built by clang++-14 in the folder build-clang. Each run makes its cage, its
 solid and its microstructure with both programs, in one folder after the other, and compares all files that were
-written, and standard output; seconds are left out of reports, and no path is in one. One JSON line: the number of
-files that differ, and which.
+written, and standard output. Seconds are left out of reports. One JSON line: the number of files that differ, and
+which.
 """
 import argparse
 import csv

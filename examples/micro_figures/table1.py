@@ -6,7 +6,7 @@ For each row: makes model and cage, fills, filters, bridges (veritope micro), de
 lies in the model (veritope certify --model), and prints a line with the paper's numbers beside. The bunny is the file
 thingiCSG__bunny_remap.off of the folder VERITOPE_DATA/mesh/solid1, or --bunny; without it rows 6 are left out. Exits
 with 1 if a row is not VALID and inside. With --tile curves3 or jack-surfaces, of which no claim is made: the seconds of
-filtering, and of composing and writing what is kept.
+filtering, of bridging the free ends of curves, and of composing and writing it all.
 """
 import argparse
 import json
@@ -112,8 +112,9 @@ class Table:
                                      "--model", model, "--emit", f"{name}_open.vjson", "--json", "-",
                                      "--jobs", self.options.jobs, *self.options.more, allowed=(0, 3)))
         tiles, s, written = report["tiles"], report["seconds"], report["composed"] or {"patches": 0}
+        ends = report["bridges"] or {"built": 0, "caps": 0}
         print(f"{name}  {tiles['total']:6} {tiles['kept']:5}        {tiles['undecided']:4} undecided  "
-              f"filter {s['filter']:.3f} s  "
+              f"filter {s['filter']:.3f} s  {ends['built']} of {ends['caps']} ends in {s['bridge']:.2f} s  "
               f"{written['patches']} patches or curves in {s['compose']:.2f} s", flush=True)
         return True
 

@@ -2,6 +2,8 @@
 // solids/micro/inside/surface_parts_internal.h: the surface of a solid as parts whose distances from other points
 // can be bounded. Internal to solids/micro/inside.
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -16,6 +18,16 @@ namespace veritope::internal {
 
 /// At most the distance between any two points of the boxes. REQUIRES a live ScopedUpward.
 double least_distance(const Box3d& a, const Box3d& b);
+/// False only if all distances between points of the boxes are greater, in any rounding mode: differences, squares and
+/// sums are each off by a factor within 1 +- 2^-52, or by less than 2^-1000 where they underflow.
+inline bool may_be_nearer(const Box3d& a, const Box3d& b, double distance) {
+  double sum = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double gap = std::max({a.lo[c] - b.hi[c], b.lo[c] - a.hi[c], 0.0});
+    sum += gap * gap;
+  }
+  return !(sum * (1 - 0x1p-48) > distance * distance + 0x1p-1000);
+}
 
 /// Parts by numbers: those that all views share, then those that this view has cut out of them. One thread uses a view.
 /// All functions REQUIRE a live ScopedUpward.
@@ -44,10 +56,11 @@ class SurfaceParts {
   double distance(std::uint32_t part, const Box3d& box) const {
     return least_distance(boxes_[part], box);
   }
-  /// Calls visit(part) for every shared part whose box is nearer to the box than bound(), as long as it is.
+  /// Calls visit(part) for every shared part whose box may be nearer to the box than bound() when it is looked at.
   template <typename Bound, typename Visit>
   void visit_near(const Box3d& box, Bound bound, Visit visit) const {
-    tree_.visit([&](const Box3d& b) { return least_distance(b, box) < bound(); }, visit);
+    tree_.visit([&](const Box3d& b) { return bound() > 0 && may_be_nearer(b, box, bound()); },
+                visit);
   }
 
   /// REQUIRES finite coordinates. The mesh must outlive it.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_micro_bridges.cc: --rounds N --seed S --kind domain|space. Bridges, or sweeps, from jacks in random cages to
-// the skins of random solids: star-shaped ones with bumps, and tori, of a few thousand facets. Wrong: a bridge that
-// prove_bridges does not prove, or a sweep that prove_sweeps does not; an exact point of one that is not in the interior
-// of the solid; one of an end face farther from the surface than the skin; one of a sweep that lies in a tile, as far as
-// a fine mesh of the tiles tells; a mesh of the whole that is not VALID with the numbers of the tiles. One JSON line: caps, bridges,
-// those dropped by reasons, and how many tries with positive determinants got a matrix. Seeds of what is wrong go to
-// standard error.
+// bench/soak_micro_bridges.cc: --rounds N --seed S --kind domain|space. Bridges, or sweeps, from jacks in random
+// cages to the skins of random solids: star-shaped ones with bumps, and tori, of a few thousand facets. Wrong: a
+// bridge that prove_bridges does not prove, or a sweep that prove_sweeps does not; an exact point of one that is not
+// in the interior of the solid; one of an end face farther from the surface than the skin; one of a sweep that lies
+// in a tile, as far as a fine mesh of the tiles tells; a mesh of the whole that is not VALID with the numbers of the
+// tiles. One JSON line: caps, bridges, those dropped by reasons, and how many tries with positive determinants got a
+// matrix. Seeds of what is wrong go to standard error.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -60,7 +60,7 @@ struct MicroRunReport {
   std::uint64_t kinds = 0;
   std::optional<MicroCounts> counts;    ///< of what was written
   std::optional<BridgeReport> bridges;  ///< nothing if none were to be built
-  /// Of tiles and bridges, in cubic units of the model; bridges in space do not count.
+  /// The tiles and bridges, in cubic units of the model; bridges in space do not count.
   std::optional<Bounds> volume;
   bool has_sweeps = false;        ///< bridges are in space
   std::optional<Bounds> density;  ///< that volume over the volume of all cells

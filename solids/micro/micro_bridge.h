@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/micro_bridge.h: solids that continue caps of tiles to the skin of a model: bridges in the parameters of
-// the cage, and sweeps, which are bridges in space. The format and its limits: docs/formats/micro-files.md. Source: [HPE22], algorithm 4.
+// solids/micro/micro_bridge.h: solids that continue caps of tiles to the skin of a model: bridges in the parameters
+// of the cage, and sweeps, which are bridges in space. The format and its limits: docs/formats/micro-files.md.
+// Source: [HPE22], algorithm 4.
 #pragma once
 #include <array>
 #include <compare>

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "solids/micro/bridge/box_bins_internal.h"
+#include "solids/micro/bridge/box_bins.h"
 
 namespace veritope::internal {
 namespace {

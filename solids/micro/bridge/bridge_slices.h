@@ -10,7 +10,7 @@
 
 #include "interval/box.h"
 #include "robust/base/box3d.h"
-#include "solids/micro/bridge/box_bins_internal.h"
+#include "solids/micro/bridge/box_bins.h"
 #include "solids/micro/bridge_front.h"
 
 namespace veritope {

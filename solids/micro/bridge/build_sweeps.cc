@@ -240,9 +240,9 @@ class SweepBuilder {
     const auto outward = outward_directions(map, across, sweep.cap.wall % 2 == 1);
     return outward ? internal::angle_between(start, *outward) : internal::kAnyAngle;
   }
-  // Contains a vector with the direction of the derivative along the axis, away from the map's domain, at each point of
-  // its begin or end: that from the last but one Bernstein point of the line to the last one; so it is of rational lines
-  // with positive weights.
+  // Contains a vector with the direction of the derivative along the axis, away from the map's domain, at each point
+  // of its begin or end: that from the last but one Bernstein point of the line to the last one; this holds for
+  // rational lines with positive weights, too.
   static std::optional<Box3> outward_directions(const BezierVolume<Interval>& map, std::size_t axis,
                                                 bool is_end) {
     const Grid<3> grid = map.grid();

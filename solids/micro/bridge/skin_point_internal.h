@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/bridge/skin_point_internal.h: the nearest point of a mesh's surface, approximately, and vectors. Internal
-// to solids/micro/bridge.
+// solids/micro/bridge/skin_point_internal.h: the nearest point of a mesh's surface, approximately, and vectors.
+// Internal to solids/micro/bridge.
 #pragma once
 #include <cmath>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "solids/base/box_hierarchy.h"
-#include "solids/micro/bridge/box_bins_internal.h"
+#include "solids/micro/bridge/box_bins.h"
 #include "solids/micro/bridge/cage_space_internal.h"
 #include "solids/micro/bridge/sweep_matrix.h"
 #include "solids/micro/sweep_nodes.h"

@@ -12,7 +12,7 @@
 namespace veritope {
 
 /// One for each sweep, in their order; or the first one that is not proved, with the condition "Q1", "Q2", "Q3" or
-/// "Q4". The same for every number of jobs.
+/// "Q4". The result does not depend on the number of jobs.
 /// REQUIRES as prove_bridges.
 /// @error kOverLimit: FastSpline::prepare
 /// @cost  milliseconds for each sweep, if few of them and of the tiles are near each other

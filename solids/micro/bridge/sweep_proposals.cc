@@ -13,8 +13,9 @@ namespace {
 // distance of the surface, or the arm, from the cap; or where a ray along the cage's line meets the surface, or one
 // of the rays around the normal: those where the surface is nearly parallel to the cap.
 enum class SweepAim : std::uint8_t { kDistances, kArms, kAxis, kRays };
-// Its middle point is that of algorithm 4 (kFull); or lies along the normal as far off as alpha times the way of the end
-// along it (kNormal), or halfway to the end (kStraight). `ahead` is the number of the ray if it is one of these.
+// Its middle point is that of algorithm 4 (kFull); or it lies along the normal, as far off as alpha times the way of
+// the end along it (kNormal), or halfway to the end (kStraight). `ahead` is the number of the ray if it is one of
+// these.
 enum class SweepLead : std::uint8_t { kFull, kNormal, kStraight };
 struct SweepShape {
   SweepAim aim;
@@ -141,8 +142,8 @@ std::array<double, 2> SweepProposals::depths(const Point3d& offset) const {
   return out;
 }
 
-// The part of the curve up to the parameter at which the samples are at least at the depth. Each step back is as long as
-// what is missing, and no point comes nearer to the surface by more than the step.
+// The part of the curve up to the parameter at which the samples are at least at the depth. Each step back is as long
+// as what is missing, and no point comes nearer to the surface by more than the step.
 std::optional<SweepProposals::Curve> SweepProposals::drawn_back(const Curve& whole,
                                                                 double depth) const {
   double t = 1;

@@ -43,10 +43,10 @@ struct ComposedPatch {
 
 /// All patches of all tiles and the free faces of all bridges, but for patches of equal caps and of caps that bridges
 /// cover, which lie in the interior of the structure: together they are a closed surface. S_u x S_v turns outward. A
-/// bridge is left out, and its cap stays, where its net is in no box of the parameters on which the map of the volume is
-/// one polynomial, or rational, map: where it crosses a knot that the map needs, its faces after the map are no patches
-/// with polynomial sides. The faces of a sweep, which is in space, have the degrees of the composed cap and 2; none is
-/// left out. Tiles of curves and sheets are composed as they are, in their own orientation. Nothing is
+/// bridge is left out, and its cap stays, where its net is in no box of the parameters on which the map of the volume
+/// is one polynomial, or rational, map: where it crosses a knot that the map needs, its faces after the map are no
+/// patches with polynomial sides. The faces of a sweep, which is in space, have the degrees of the composed cap and 2;
+/// no sweep is left out. Tiles of curves and sheets are composed as they are, in their own orientation. Nothing is
 /// rounded. Immutable.
 class ComposedSurface {
  public:

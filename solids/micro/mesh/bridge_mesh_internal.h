@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/mesh/bridge_mesh_internal.h: bridges and sweeps in space: where their points are, and how far they are from
-// quadrilaterals. Internal to solids/micro/mesh.
+// solids/micro/mesh/bridge_mesh_internal.h: bridges and sweeps in space: where their points are, and how far they are
+// from quadrilaterals. Internal to solids/micro/mesh.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -48,7 +48,7 @@ class BridgeMesh {
   std::vector<Part> parts_;
   /// By axes of the volume: knots in the box where the map may have a crease.
   std::array<int, 3> num_creases_{};
-  /// Of a sweep, whose net does not depend on the third parameter.
+  /// The curve of a sweep, whose net does not depend on the third parameter.
   std::optional<std::array<TilePoint, 2>> curve_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/mesh/bridge_surfaces_internal.h: the surfaces of bridges and sweeps, cut into quadrilaterals: four sides, which
-// begin at the rims of caps, and end faces. Internal to solids/micro/mesh.
+// solids/micro/mesh/bridge_surfaces_internal.h: the surfaces of bridges and sweeps, cut into quadrilaterals: four
+// sides, which begin at the rims of caps, and end faces. Internal to solids/micro/mesh.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/bridge/box_bins_internal.h: numbered boxes, to be found by boxes that they may meet, while more are
-// added. Internal to solids/micro/bridge.
+// solids/micro/bridge/box_bins.h: numbered boxes, to be found by boxes that they may meet, while more are
+// added.
 #pragma once
 #include <cstdint>
 #include <unordered_map>

@@ -16,6 +16,8 @@
 #include "solids/micro/bridge/bridge_proof.h"
 #include "solids/micro/bridge/bridge_proposals_internal.h"
 #include "solids/micro/bridge/bridge_slices.h"
+#include "solids/micro/surface/patch_surface.h"
+#include "solids/micro/surface/triangle_surface.h"
 #include "splines/de_casteljau.h"
 #include "splines/knot_insertion.h"
 
@@ -49,16 +51,15 @@ struct CapSearch {
 
 class BridgeBuilder {
  public:
-  BridgeBuilder(const TriangleMesh& mesh, const VModel& cage,
-                const std::vector<AnalysedTile>& tiles, const BridgeOptions& options,
-                Microstructure& micro)
-      : mesh_(mesh),
+  BridgeBuilder(const SolidSurface& surface, const internal::SkinProjection& projection,
+                const VModel& cage, const std::vector<AnalysedTile>& tiles,
+                const BridgeOptions& options, Microstructure& micro)
+      : surface_(surface),
+        projection_(projection),
         cage_(cage),
         tiles_(tiles),
         options_(options),
         micro_(micro),
-        projection_(mesh),
-        skin_(mesh),
         cells_(micro),
         disjoint_(micro) {}
 
@@ -140,16 +141,16 @@ class BridgeBuilder {
   void advance(CapSearch& search) const {
     if (search.is_built || search.next_try >= kBridgeTries) return;
     if (!search.proposals) {
-      search.proposals.emplace(mesh_, projection_, spaces_[search.cap.front.volume], options_,
-                               search.cap);
+      search.proposals.emplace(projection_, spaces_[search.cap.front.volume], options_, search.cap);
       if (search.proposals->is_flat()) {
         search.worst = BridgeDrop::kFlat;
         search.next_try = kBridgeTries;
       }
     }
-    while (search.next_try < kBridgeTries && !search.found) try_next(search);
+    const auto view = surface_.view();
+    while (search.next_try < kBridgeTries && !search.found) try_next(*view, search);
   }
-  void try_next(CapSearch& search) const {
+  void try_next(SurfaceView& view, CapSearch& search) const {
     const auto fails = [&](BridgeDrop why) { search.worst = std::max(search.worst, why); };
     std::optional<MicroBridge> bridge = search.proposals->propose(search.next_try++);
     const BridgeFront& front = search.cap.front;
@@ -162,8 +163,8 @@ class BridgeBuilder {
     BridgeSlices slices(*bridge);
     if (!cut_off_tiles(cells_, bridge->cap, front, slices)) return fails(BridgeDrop::kTile);
     const VolumeSpace& space = spaces_[front.volume];
-    const auto reach = end_distance(skin_, space, *bridge, options_.skin);
-    if (!reach || !misses_facets(skin_, space, *bridge)) return fails(BridgeDrop::kSkin);
+    const auto reach = end_distance(view, space, *bridge, options_.skin);
+    if (!reach || !misses_surface(view, space, *bridge)) return fails(BridgeDrop::kSkin);
     search.found = FoundBridge{std::move(*bridge), std::move(slices), *reach};
   }
 
@@ -223,7 +224,7 @@ class BridgeBuilder {
       const Interval off = image[c] - Interval(m);
       radius += Interval(std::max(std::abs(off.lo()), std::abs(off.hi())));
     }
-    const Interval distance = sqrt(enclose(projection_.project(middle).squared_distance));
+    const Interval distance = sqrt(projection_.squared_distance(middle));
     return std::max(0.0, (distance - radius).lo());
   }
 
@@ -272,19 +273,22 @@ class BridgeBuilder {
     return out;
   }
 
-  const TriangleMesh& mesh_;
+  const SolidSurface& surface_;
+  const internal::SkinProjection& projection_;
   const VModel& cage_;
   const std::vector<AnalysedTile>& tiles_;
   const BridgeOptions& options_;
   Microstructure& micro_;
-  MeshProjection projection_;
-  SkinFacets skin_;
   TileCells cells_;
   DisjointBridges disjoint_;
   std::vector<VolumeSpace> spaces_;
   std::vector<CapSearch> searches_;
   BridgeReport report_;
 };
+
+double skin_of_box(const Box3d& box) {
+  return std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]) / 100;
+}
 
 }  // namespace
 
@@ -297,13 +301,25 @@ const char* bridge_drop_name(BridgeDrop drop) {
 double default_skin(const TriangleMesh& mesh) {
   Box3d box = empty_box();
   for (const Vec3d& p : mesh.positions) add({p.x, p.y, p.z}, &box);
-  return std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]) / 100;
+  return skin_of_box(box);
+}
+double default_skin(const PatchComplex& complex) {
+  return skin_of_box(PatchSurface(complex).box());
 }
 
 Result<BridgeReport> build_bridges(const TriangleMesh& mesh, const VModel& cage,
                                    const std::vector<AnalysedTile>& tiles,
                                    const BridgeOptions& options, Microstructure& micro) {
-  return BridgeBuilder(mesh, cage, tiles, options, micro).run();
+  return BridgeBuilder(TriangleSurface(mesh), *internal::skin_projection(mesh), cage, tiles,
+                       options, micro)
+      .run();
+}
+Result<BridgeReport> build_bridges(const PatchComplex& complex, const VModel& cage,
+                                   const std::vector<AnalysedTile>& tiles,
+                                   const BridgeOptions& options, Microstructure& micro) {
+  return BridgeBuilder(PatchSurface(complex), *internal::skin_projection(complex), cage, tiles,
+                       options, micro)
+      .run();
 }
 
 }  // namespace veritope

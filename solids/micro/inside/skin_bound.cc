@@ -2,6 +2,7 @@
 // I4: how far the end faces of bridges are from the surface of the solid, at most.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <queue>
 #include <string>
 #include <utility>
@@ -9,7 +10,6 @@
 #include "interval/box_geometry.h"
 #include "interval/upward.h"
 #include "robust/base/check.h"
-#include "solids/classify/triangle_bound.h"
 #include "solids/micro/inside/descent_internal.h"
 #include "solids/micro/inside/inside_parts_internal.h"
 
@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMostNodes = 2048;  // of a bridge; the page has 4096
 // The page has 2^22 nodes, and 256 more for each bridge.
 constexpr std::size_t kAllSkinNodes = std::size_t{1} << 21, kMoreNodes = 128;
-constexpr int kMostLevel = 22;         // the page has 24
+constexpr int kMostSkinLevel = 22;     // the page has 24
 constexpr double kWorth = 1 + 0x1p-7;  // a bound that is nearer to the least one is not improved
 
 // A part of the end face of a bridge, with an upper bound of its points' distances from the surface.
@@ -38,7 +38,9 @@ struct IsNearer {
 class SkinSearch {
  public:
   explicit SkinSearch(const InsideParts& parts)
-      : parts_(parts), num_nodes_(parts.micro.bridges.size()) {}
+      : parts_(parts),
+        num_nodes_(parts.micro.bridges.size()),
+        view_(parts.solid.surface().view()) {}
 
   // The number of the bridge whose bound is infinite, if there is one.
   std::optional<std::uint32_t> run() {
@@ -48,7 +50,7 @@ class SkinSearch {
     }
     while (nodes_.top().bound > kWorth * least_) {
       const SkinNode top = nodes_.top();
-      if (top.part.level >= kMostLevel || num_nodes_[top.bridge] + 2 > kMostNodes ||
+      if (top.part.level >= kMostSkinLevel || num_nodes_[top.bridge] + 2 > kMostNodes ||
           num_all_ > kAllSkinNodes + kMoreNodes * num_nodes_.size())
         break;
       nodes_.pop();
@@ -82,56 +84,18 @@ class SkinSearch {
     nodes_.push({bound, bridge, std::move(part)});
   }
 
-  // The least bound that one triangle gives for all of the points.
+  // The least bound that one part of the surface gives for all of the points.
   double bound_of(const std::vector<Box3>& points) {
-    Box3d box = empty_box();
-    for (const Box3& p : points) {
-      add({p[0].lo(), p[1].lo(), p[2].lo()}, &box);
-      add({p[0].hi(), p[1].hi(), p[2].hi()}, &box);
-    }
-    const auto bound_by = [&](std::uint32_t f, double most) {
-      const auto corners = parts_.facets.corners(f);
-      double bound = 0;
-      for (const Box3& p : points) {
-        bound = std::max(bound, distance_bound(p, corners));
-        if (bound >= most) break;
-      }
-      return bound;
-    };
-    double best = HUGE_VAL;
-    // A growing box around the points: what it misses is no better than what it has, once it has grown by the bound.
-    double reach = std::max(extent(box), std::ldexp(scale(), -40));
-    while (true) {
-      Box3d grown = box;
-      for (std::size_t c = 0; c < 3; ++c) grown.lo[c] -= reach, grown.hi[c] += reach;
-      parts_.facets.visit(grown,
-                          [&](std::uint32_t f) { best = std::min(best, bound_by(f, best)); });
-      if (best <= reach || reach > 4 * scale()) break;
-      reach = std::isfinite(best) ? std::min(best, 4 * reach) : 4 * reach;
-    }
+    const double best = view_->reach(points, HUGE_VAL);
     // No bound is less than the distance of a point; approximately that of the first one.
-    least_ = std::max(least_, nearest_to(points.front(), best));
+    least_ = std::max(least_, view_->reach({points.data(), 1}, best));
     return best;
-  }
-  double nearest_to(const Box3& point, double most) const {
-    Box3d box{{point[0].lo() - most, point[1].lo() - most, point[2].lo() - most},
-              {point[0].hi() + most, point[1].hi() + most, point[2].hi() + most}};
-    double best = most;
-    parts_.facets.visit(box, [&](std::uint32_t f) {
-      best = std::min(best, distance_bound(point, parts_.facets.corners(f)));
-    });
-    return best;
-  }
-  double scale() const {
-    const Box3d& b = parts_.classifier.box();
-    double out = extent(b);
-    for (std::size_t c = 0; c < 3; ++c) out = std::max({out, std::abs(b.lo[c]), std::abs(b.hi[c])});
-    return out;
   }
 
   const InsideParts& parts_;
   std::vector<std::size_t> num_nodes_;  // of each bridge
   std::size_t num_all_ = 0;             // each as often as it has spans
+  std::unique_ptr<SurfaceView> view_;
   std::priority_queue<SkinNode, std::vector<SkinNode>, IsNearer> nodes_;
   double least_ = 0;  // approximately no bound is less
 };

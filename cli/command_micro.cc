@@ -20,7 +20,6 @@
 #include "report/report_text.h"
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
-#include "solids/micro/bridge/build_bridges.h"
 #include "solids/micro/doubled_grids.h"
 #include "solids/micro/measure/cage_scale.h"
 #include "solids/micro/measure/micro_volume.h"
@@ -167,9 +166,6 @@ class MicroRun {
         MicroSolid::read(*options_.model, options_.reading);
     if (!solid) return refuse(solid.error());
     solid_ = std::move(*solid);
-    if (solid_->mesh() == nullptr && options_.bridge.is_asked_for(options_.skin.has_value()))
-      return fail(bad_argument("--bridge, --alpha and --skin: bridges lead to meshes only, and " +
-                               harmless(*options_.model) + " is none"));
     report_.model = MicroRunReport::File{*options_.model, solid_->sha256(), solid_->bytes()};
     if (solid_->fault())
       return refute({"model", {}, {}, {}, *options_.model + ": " + *solid_->fault()},
@@ -350,16 +346,13 @@ class MicroRun {
   }
 
   ExitCode build() {
-    const TriangleMesh* const mesh = solid_ ? solid_->mesh() : nullptr;
-    if (mesh == nullptr || !options_.bridge.is_wanted || options_.nest || is_open())
-      return kExitValid;
+    if (!solid_ || !options_.bridge.is_wanted || options_.nest || is_open()) return kExitValid;
     progress_.phase(*options_.model, "building bridges");
     Stopwatch watch;
     BridgeOptions how;
     how.alpha = options_.bridge.alpha;
-    how.skin = options_.skin ? *options_.skin : default_skin(*mesh);
     how.jobs = static_cast<unsigned>(options_.reading.jobs);
-    Result<BridgeReport> built = build_bridges(*mesh, *model_, tiles_, how, micro_);
+    Result<BridgeReport> built = solid_->bridge(*model_, tiles_, how, options_.skin, micro_);
     if (!built) return refuse(built.error());
     report_.bridges = std::move(*built);
     report_.seconds.bridge = watch.lap();

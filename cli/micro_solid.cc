@@ -57,6 +57,17 @@ Result<TileFilter> MicroSolid::filter() const {
   return TileFilter::make(*patches_.complex);
 }
 
+Result<BridgeReport> MicroSolid::bridge(const VModel& cage, const std::vector<AnalysedTile>& tiles,
+                                        BridgeOptions options, std::optional<double> skin,
+                                        Microstructure& micro) const {
+  const auto build = [&](const auto& solid) {
+    options.skin = skin ? *skin : default_skin(solid);
+    return build_bridges(solid, cage, tiles, options, micro);
+  };
+  if (const auto* const mesh = std::get_if<MeshFile>(&file_)) return build(mesh->mesh);
+  return build(*patches_.complex);
+}
+
 Result<std::optional<MicroSolid::Escape>> MicroSolid::escape_from(const VModel& cage) const {
   const auto told = [](const std::string& part, const std::optional<std::string>& outside,
                        const std::optional<VFaceNumber>& face) {

@@ -5,10 +5,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/model_file.h"
 #include "robust/base/result.h"
 #include "solids/base/verdict.h"
+#include "solids/micro/bridge/build_bridges.h"
 #include "solids/micro/filter/tile_filter.h"
 #include "solids/vmodel/v_model.h"
 #include "verify/certify/file_patches.h"
@@ -26,11 +28,6 @@ class MicroSolid {
 
   const std::string& sha256() const { return sha256_of(file_); }
   std::uint64_t bytes() const { return num_bytes(file_); }
-  /// Null unless the file is a mesh.
-  const TriangleMesh* mesh() const {
-    const auto* const file = std::get_if<MeshFile>(&file_);
-    return file == nullptr ? nullptr : &file->mesh;
-  }
   /// Nothing if the solid is VALID; else why not.
   const std::optional<std::string>& fault() const { return fault_; }
   /// Whether the fault is that something was not decided, and not a defect of the solid.
@@ -38,6 +35,10 @@ class MicroSolid {
 
   /// REQUIRES !fault().
   Result<TileFilter> filter() const;
+  /// See build_bridges. `skin`: nothing for default_skin. REQUIRES !fault().
+  Result<BridgeReport> bridge(const VModel& cage, const std::vector<AnalysedTile>& tiles,
+                              BridgeOptions options, std::optional<double> skin,
+                              Microstructure& micro) const;
 
   struct Escape {
     std::string message;              ///< "triangle 5 does not lie inside of the cage: ..."

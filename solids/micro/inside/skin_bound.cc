@@ -2,8 +2,8 @@
 // I4: how far the end faces of bridges are from the surface of the solid, at most.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
-#include <queue>
 #include <string>
 #include <utility>
 
@@ -20,50 +20,38 @@ namespace {
 constexpr std::size_t kMostNodes = 2048;  // of a bridge; the page has 4096
 // The page has 2^22 nodes, and 256 more for each bridge.
 constexpr std::size_t kAllSkinNodes = std::size_t{1} << 21, kMoreNodes = 128;
-constexpr int kMostSkinLevel = 22;     // the page has 24
-constexpr double kWorth = 1 + 0x1p-7;  // a bound that is nearer to the least one is not improved
+constexpr int kMostSkinLevel = 22;  // the page has 24
+constexpr double kFirstSkinFactor = 1 + 0x1p-7, kMostSkinFactor = 4;
 
-// A part of the end face of a bridge, with an upper bound of its points' distances from the surface.
-struct SkinNode {
-  double bound = 0;
-  std::uint32_t bridge = 0;
-  PatchNode part;
-};
-struct IsNearer {
-  bool operator()(const SkinNode& a, const SkinNode& b) const {
-    return a.bound != b.bound ? a.bound < b.bound : a.bridge > b.bridge;
-  }
-};
-
+// Proves bounds for one bridge after the other, each at least as great as the last.
 class SkinSearch {
  public:
   explicit SkinSearch(const InsideParts& parts)
-      : parts_(parts),
-        num_nodes_(parts.micro.bridges.size()),
-        view_(parts.solid.surface().view()) {}
+      : parts_(parts), view_(parts.solid.surface().view()) {
+    most_all_ = kAllSkinNodes + kMoreNodes * parts.micro.bridges.size();
+  }
 
-  // The number of the bridge whose bound is infinite, if there is one.
+  // The number of a bridge for which no bound is proved, if there is one.
   std::optional<std::uint32_t> run() {
+    for (std::uint32_t b = 0; b < parts_.micro.bridges.size(); ++b) raise_to_samples(b);
+    bound_ *= kFirstSkinFactor;
     for (std::uint32_t b = 0; b < parts_.micro.bridges.size(); ++b) {
-      push(b, end_face(parts_.micro.bridges[b]));
-      if (!std::isfinite(nodes_.top().bound)) return b;
-    }
-    while (nodes_.top().bound > kWorth * least_) {
-      const SkinNode top = nodes_.top();
-      if (top.part.level >= kMostSkinLevel || num_nodes_[top.bridge] + 2 > kMostNodes ||
-          num_all_ > kAllSkinNodes + kMoreNodes * num_nodes_.size())
-        break;
-      nodes_.pop();
-      auto halves = top.part.halves();
-      push(top.bridge, std::move(halves.first));
-      push(top.bridge, std::move(halves.second));
+      double factor = kFirstSkinFactor;
+      std::size_t spent = 0;
+      while (!is_within(b, &spent)) {
+        if (!std::isfinite(bound_)) return b;
+        factor = std::min(factor * factor, kMostSkinFactor);
+        bound_ = std::max(bound_ * factor, std::numeric_limits<double>::min());
+      }
+      num_all_ += spent;
     }
     return std::nullopt;
   }
-  double bound() const { return nodes_.top().bound; }
+  double bound() const { return bound_; }
 
  private:
-  static PatchNode end_face(const MicroBridge& bridge) {
+  PatchNode end_face(std::uint32_t number) const {
+    const MicroBridge& bridge = parts_.micro.bridges[number];
     PatchNode out{bridge.degrees, {}, 0};
     for (int i = 0; i <= bridge.degrees[0]; ++i)
       for (int j = 0; j <= bridge.degrees[1]; ++j) {
@@ -72,32 +60,57 @@ class SkinSearch {
       }
     return out;
   }
-
-  void push(std::uint32_t bridge, PatchNode part) {
-    ++num_nodes_[bridge];
-    const BridgeMaps maps(parts_.volumes[parts_.micro.bridges[bridge].volume]);
-    double bound = 0;
-    std::vector<std::vector<Box3>> all;
-    if (!maps.boxes(part.box(), &all)) bound = HUGE_VAL;
-    for (const auto& points : all) bound = std::max(bound, bound_of(points));
-    num_all_ += all.size();
-    nodes_.push({bound, bridge, std::move(part)});
+  BridgeMaps maps_of(std::uint32_t bridge) const {
+    return BridgeMaps(parts_.volumes[parts_.micro.bridges[bridge].volume]);
   }
 
-  // The least bound that one part of the surface gives for all of the points.
-  double bound_of(const std::vector<Box3>& points) {
-    const double best = view_->reach(points, HUGE_VAL);
-    // No bound is less than the distance of a point; approximately that of the first one.
-    least_ = std::max(least_, view_->reach({points.data(), 1}, best));
-    return best;
+  // The bound is not less than the distance of any point of the end face, such as its corners and its middle.
+  void raise_to_samples(std::uint32_t bridge) {
+    const PatchNode face = end_face(bridge);
+    const std::size_t n = face.points.size(),
+                      columns = static_cast<std::size_t>(face.degrees[1]) + 1;
+    std::vector<Box3> samples = {face.points.front(), face.points[columns - 1],
+                                 face.points[n - columns], face.points.back()};
+    samples.push_back(face.halves().second.halves().second.points.front());
+    for (const Box3& x : samples) {
+      std::vector<std::vector<Box3>> image;
+      if (!maps_of(bridge).boxes(x, &image)) continue;
+      const double distance = view_->reach({image.front().data(), 1}, HUGE_VAL, bound_);
+      if (std::isfinite(distance)) bound_ = std::max(bound_, distance);
+    }
+  }
+
+  // Whether the descent of I4 ends for this bridge and the bound. Sets *spent to its nodes, each as often as it has
+  // spans.
+  bool is_within(std::uint32_t bridge, std::size_t* spent) {
+    const BridgeMaps maps = maps_of(bridge);
+    std::size_t num_nodes = 0;
+    *spent = 0;
+    std::vector<PatchNode> stack = {end_face(bridge)};
+    std::vector<std::vector<Box3>> all;
+    while (!stack.empty()) {
+      const PatchNode node = std::move(stack.back());
+      stack.pop_back();
+      all.clear();
+      const bool is_known = maps.boxes(node.box(), &all);
+      *spent += all.size();
+      if (++num_nodes > kMostNodes || num_all_ + *spent > most_all_) return false;
+      if (is_known && std::ranges::all_of(all, [&](const auto& points) {
+            return view_->reach(points, bound_, bound_) <= bound_;
+          }))
+        continue;
+      if (node.level >= kMostSkinLevel) return false;
+      auto halves = node.halves();
+      stack.push_back(std::move(halves.second));
+      stack.push_back(std::move(halves.first));
+    }
+    return true;
   }
 
   const InsideParts& parts_;
-  std::vector<std::size_t> num_nodes_;  // of each bridge
-  std::size_t num_all_ = 0;             // each as often as it has spans
   std::unique_ptr<SurfaceView> view_;
-  std::priority_queue<SkinNode, std::vector<SkinNode>, IsNearer> nodes_;
-  double least_ = 0;  // approximately no bound is less
+  std::size_t num_all_ = 0, most_all_ = 0;
+  double bound_ = 0;
 };
 
 // A number of 20 bits or fewer, greater by a factor of at least 1 + 2^-30.

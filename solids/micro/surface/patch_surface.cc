@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <map>
 #include <queue>
 
@@ -54,6 +55,10 @@ double approx_reach(const NodePoints& points, const Box3d& box) {
   return std::sqrt(most);
 }
 
+using ReachQueue =
+    std::priority_queue<std::pair<double, std::uint32_t>,
+                        std::vector<std::pair<double, std::uint32_t>>, std::greater<>>;
+
 // The nodes of the surface, and further halves of them as they are asked for, numbered one after the other.
 class PatchView final : public SurfaceView {
  public:
@@ -66,7 +71,7 @@ class PatchView final : public SurfaceView {
     return out;
   }
   std::uint64_t keep_close(std::span<const NodePoints> node, PartNumbers* parts) override;
-  double reach(std::span<const Box3> points, double most) override;
+  double reach(std::span<const Box3> points, double most, double enough) override;
   std::uint32_t source(std::uint32_t part) const override { return node(part).piece().patch(); }
 
  private:
@@ -123,36 +128,34 @@ std::uint64_t PatchView::keep_close(std::span<const NodePoints> other, PartNumbe
   return pairs;
 }
 
-// Nodes in the order of what their halves may at best attain.
-double PatchView::reach(std::span<const Box3> points, double most) {
+// Nodes in the order of what their halves may at best attain; those in a growing box around the points: what it misses
+// is no better than what it has, once it has grown by the bound.
+double PatchView::reach(std::span<const Box3> points, double most, double enough) {
   scratch_.assign(points);
-  using Entry = std::pair<double, std::uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  double best = HUGE_VAL;
-  const auto look = [&](std::uint32_t number) {
-    const SurfaceNode& here = node(number);
-    const double least = approx_reach(scratch_, here.points().box);
-    if (!(least * kReachWorth < best && least <= most)) return;
-    best = std::min(best, greatest_distance(scratch_, here.points()));
-    if (here.level() < kMostReachLevel) queue.emplace(least, number);
+  ReachQueue queue;
+  const auto add = [&](std::uint32_t number) {
+    const double least = approx_reach(scratch_, node(number).points().box);
+    if (least <= most && node(number).level() <= kMostReachLevel) queue.emplace(least, number);
   };
-  Box3d box = scratch_.box;
-  double grow = std::max(extent(box), 0x1p-6 * extent(surface_.box()));
+  const Box3d& box = scratch_.box;
   const double farthest = std::min(most, 2 * extent(hull(box, surface_.box())));
-  // A growing box around the points: what it misses is no better than what it has, once it has grown by the bound.
+  double best = HUGE_VAL, grow = std::max(extent(box), 0x1p-6 * extent(surface_.box()));
   while (true) {
     grow = std::min(grow, farthest);
     Box3d grown = box;
     for (std::size_t c = 0; c < 3; ++c) grown.lo[c] -= grow, grown.hi[c] += grow;
     queue = {};
-    surface_.visit(grown, look);
+    surface_.visit(grown, add);
     for (std::size_t step = 0; step < kMostReachSteps && !queue.empty(); ++step) {
       const auto [least, number] = queue.top();
       queue.pop();
       if (!(least * kReachWorth < best)) break;
+      best = std::min(best, greatest_distance(scratch_, node(number).points()));
+      if (best <= enough) return best;
+      if (node(number).level() >= kMostReachLevel) continue;
       const std::uint32_t first = halves_of(number);
-      look(first);
-      look(first + 1);
+      add(first);
+      add(first + 1);
     }
     if (best <= grow || grow >= farthest) break;
     grow *= 4;

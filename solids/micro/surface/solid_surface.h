@@ -27,8 +27,8 @@ class SurfaceView {
   /// @return  how many parts were compared with it whose boxes meet its own
   virtual std::uint64_t keep_close(std::span<const NodePoints> node, PartNumbers* parts) = 0;
   /// A bound of the distances of all these points from one part: no point of their hull is farther from it. Infinite if
-  /// none is found that is at most `most`. The search is for one that is close to the least.
-  virtual double reach(std::span<const Box3> points, double most) = 0;
+  /// none is found that is at most `most`. The search is for one that is close to the least, or at most `enough`.
+  virtual double reach(std::span<const Box3> points, double most, double enough = 0) = 0;
   /// The triangle or the patch that the part belongs to.
   virtual std::uint32_t source(std::uint32_t part) const = 0;
 };

@@ -35,7 +35,7 @@ class TriangleView final : public SurfaceView {
     });
     return pairs;
   }
-  double reach(std::span<const Box3> points, double most) override;
+  double reach(std::span<const Box3> points, double most, double enough) override;
   std::uint32_t source(std::uint32_t part) const override { return part; }
 
  private:
@@ -53,7 +53,7 @@ class TriangleView final : public SurfaceView {
 };
 
 // A growing box around the points: what it misses is no better than what it has, once it has grown by the bound.
-double TriangleView::reach(std::span<const Box3> points, double most) {
+double TriangleView::reach(std::span<const Box3> points, double most, double enough) {
   const Box3d box = box_around(points);
   const Box3d& whole = surface_.box();
   double scale = extent(whole);
@@ -65,9 +65,10 @@ double TriangleView::reach(std::span<const Box3> points, double most) {
     grow = std::min(grow, farthest);
     Box3d grown = box;
     for (std::size_t c = 0; c < 3; ++c) grown.lo[c] -= grow, grown.hi[c] += grow;
-    surface_.visit(grown,
-                   [&](std::uint32_t f) { best = std::min(best, bound_by(f, points, best)); });
-    if (best <= grow || grow >= farthest) break;
+    surface_.visit(grown, [&](std::uint32_t f) {
+      if (best > enough) best = std::min(best, bound_by(f, points, best));
+    });
+    if (best <= std::max(grow, enough) || grow >= farthest) break;
     grow = std::isfinite(best) ? std::min(best, 4 * grow) : 4 * grow;
   }
   return best <= most ? best : HUGE_VAL;

@@ -15,13 +15,14 @@ namespace veritope {
 
 namespace {
 
-constexpr std::size_t kManyNodes =
-    4096;  // patches are cut in advance until there are about so many
+// Patches are cut in advance until there are about so many nodes.
+constexpr std::size_t kManyNodes = 4096;
 constexpr int kMostLevelInAdvance = 16;
 constexpr int kMostReachLevel = 22;  // the page has 24
-constexpr double kReachWorth =
-    1 + 0x1p-8;  // a bound that is nearer to the least one is not improved
-constexpr std::size_t kMostReachSteps = 4096;
+// Of the radius of a node this part is hoped to be saved by its halves; a bound that is as near to what is hoped for is
+// not improved.
+constexpr double kReachHope = 0.125, kReachWorth = 1 + 0x1p-6;
+constexpr std::size_t kMostReachSteps = 512;
 
 // Claim    no point of the hull of a is farther from any point of the hull of b.
 // Bound    the distance of two points is a convex function of both, so it is greatest for two of the lists; middles
@@ -40,19 +41,20 @@ double greatest_distance(const NodePoints& a, const NodePoints& b) {
   return out.hi();
 }
 
-// Approximate: the greatest distance of a point from the box.
+// Approximate: the greatest distance of one of the points from the middle of the box.
 double approx_reach(const NodePoints& points, const Box3d& box) {
+  const Point3d middle = approx_centre(box);
   double most = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    double sum = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double x = points.middles[c][i];
-      const double off = std::max({box.lo[c] - x, x - box.hi[c], 0.0});
-      sum += off * off;
-    }
-    most = std::max(most, sum);
+    const double x = points.middles[0][i] - middle[0], y = points.middles[1][i] - middle[1],
+                 z = points.middles[2][i] - middle[2];
+    most = std::max(most, x * x + y * y + z * z);
   }
   return std::sqrt(most);
+}
+// Approximate: half of the diagonal.
+double approx_radius_of(const Box3d& box) {
+  return 0.5 * std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]);
 }
 
 using ReachQueue =
@@ -128,14 +130,17 @@ std::uint64_t PatchView::keep_close(std::span<const NodePoints> other, PartNumbe
   return pairs;
 }
 
-// Nodes in the order of what their halves may at best attain; those in a growing box around the points: what it misses
-// is no better than what it has, once it has grown by the bound.
+// Nodes in the order of the distances of their middles, of which large ones may be better than they look; those in a
+// growing box around the points: what it misses is no better than what it has, once it has grown by the bound.
 double PatchView::reach(std::span<const Box3> points, double most, double enough) {
   scratch_.assign(points);
   ReachQueue queue;
   const auto add = [&](std::uint32_t number) {
-    const double least = approx_reach(scratch_, node(number).points().box);
-    if (least <= most && node(number).level() <= kMostReachLevel) queue.emplace(least, number);
+    const SurfaceNode& here = node(number);
+    const double off = approx_reach(scratch_, here.points().box),
+                 radius = approx_radius_of(here.points().box);
+    if (off - radius <= most && here.level() <= kMostReachLevel)
+      queue.emplace(off - kReachHope * radius, number);
   };
   const Box3d& box = scratch_.box;
   const double farthest = std::min(most, 2 * extent(hull(box, surface_.box())));
@@ -149,9 +154,9 @@ double PatchView::reach(std::span<const Box3> points, double most, double enough
     for (std::size_t step = 0; step < kMostReachSteps && !queue.empty(); ++step) {
       const auto [least, number] = queue.top();
       queue.pop();
-      if (!(least * kReachWorth < best)) break;
       best = std::min(best, greatest_distance(scratch_, node(number).points()));
       if (best <= enough) return best;
+      if (best <= kReachWorth * least) break;
       if (node(number).level() >= kMostReachLevel) continue;
       const std::uint32_t first = halves_of(number);
       add(first);

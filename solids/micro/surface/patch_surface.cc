@@ -21,7 +21,7 @@ constexpr int kMostLevelInAdvance = 16;
 constexpr int kMostReachLevel = 22;  // the page has 24
 // Of the radius of a node this part is hoped to be saved by its halves; a bound that is as near to what is hoped for is
 // not improved.
-constexpr double kReachHope = 0.125, kReachWorth = 1 + 0x1p-6;
+constexpr double kReachHope = 0.5, kReachWorth = 1 + 0x1p-6;
 constexpr std::size_t kMostReachSteps = 512;
 
 // Claim    no point of the hull of a is farther from any point of the hull of b.

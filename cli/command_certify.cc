@@ -255,7 +255,7 @@ Result<InsideModelFile> read_inside_model(const std::string& path, ModelReadOpti
   Result<ModelFile> file = read_model_file(path, reading);
   if (!file) return file.error();
   if (std::holds_alternative<MicroFile>(*file)) {
-    Error error{Code::kBadArgument, {}, "a microstructure is no solid for --model"};
+    Error error{Code::kUnknownFormat, {}, "a microstructure is no solid for --model"};
     error.place.file = path;
     return error;
   }

@@ -141,7 +141,7 @@ TEST(BuildBridgesToPatches, EdgesAndNecksAreNoHindrance) {
   }
 }
 
-// The same block as a mesh and as patches: the same caps, and as many bridges.
+// A block as a mesh has the caps and as many bridges as the block of patches.
 TEST(BuildBridgesToPatches, ABlockOfPatchesIsAsGoodAsOneOfTriangles) {
   PatchLattice patches(patch_shapes::box({0, 0, 0}, {1, 1, 1}), 6,
                        around(part(-1, 5), part(6, 5), 0));

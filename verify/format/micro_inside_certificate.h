@@ -27,7 +27,7 @@ struct VoidEntry {
 };
 struct MicroInsideBody {
   MicroBody structure;  ///< about the microstructure
-  /// About the model: a body of mesh-valid-1, or of star-box-2.
+  /// A body of mesh-valid-1, or of star-box-2, about the model.
   std::variant<ValidBody, StarBoxBody> solid;
   std::vector<VoidEntry> voids;
 };

@@ -59,7 +59,7 @@ struct BridgeReport {
   BridgeRange kink;
 };
 
-/// A hundredth of the diagonal of a box around the mesh or the patches, approximately. REQUIRES a vertex, or a patch and
+/// A hundredth of the diagonal of a box around the mesh or the patches, approximately. REQUIRES a vertex; a patch, and
 /// positive weights.
 double default_skin(const TriangleMesh& mesh);
 double default_skin(const PatchComplex& complex);
@@ -74,7 +74,7 @@ double default_skin(const PatchComplex& complex);
 Result<BridgeReport> build_bridges(const TriangleMesh& mesh, const VModel& cage,
                                    const std::vector<AnalysedTile>& tiles,
                                    const BridgeOptions& options, Microstructure& micro);
-/// The same for a solid that a complex of patches bounds (certified valid).
+/// Leads bridges to a complex of patches that bounds a solid (certified valid), in the same way.
 Result<BridgeReport> build_bridges(const PatchComplex& complex, const VModel& cage,
                                    const std::vector<AnalysedTile>& tiles,
                                    const BridgeOptions& options, Microstructure& micro);

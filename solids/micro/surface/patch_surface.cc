@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t kManyNodes = 4096;
 constexpr int kMostLevelInAdvance = 16;
 constexpr int kMostReachLevel = 22;  // the page has 24
-// Of the radius of a node this part is hoped to be saved by its halves; a bound that is as near to what is hoped for is
-// not improved.
+// The halves of a node are hoped to save this part of its radius; a bound that is as near to what is hoped for is not
+// improved.
 constexpr double kReachHope = 0.5, kReachWorth = 1 + 0x1p-6;
 constexpr std::size_t kMostReachSteps = 512;
 

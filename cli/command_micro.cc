@@ -22,8 +22,6 @@
 #include "report/report_text.h"
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
-#include "solids/micro/bridge/build_bridges.h"
-#include "solids/micro/bridge/build_sweeps.h"
 #include "solids/micro/doubled_grids.h"
 #include "solids/micro/measure/cage_scale.h"
 #include "solids/micro/measure/micro_volume.h"
@@ -170,10 +168,6 @@ class MicroRun {
         MicroSolid::read(*options_.model, options_.reading);
     if (!solid) return refuse(solid.error());
     solid_ = std::move(*solid);
-    if (solid_->mesh() == nullptr && !is_open() &&
-        options_.bridge.is_asked_for(options_.skin.has_value()))
-      return fail(bad_argument("--bridge, --alpha and --skin: bridges lead to meshes only, and " +
-                               harmless(*options_.model) + " is none"));
     report_.model = MicroRunReport::File{*options_.model, solid_->sha256(), solid_->bytes()};
     if (solid_->fault())
       return refute({"model", {}, {}, {}, *options_.model + ": " + *solid_->fault()},
@@ -356,13 +350,12 @@ class MicroRun {
 
   ExitCode build() {
     if (is_open()) return build_of_curves();
-    const TriangleMesh* const mesh = solid_ ? solid_->mesh() : nullptr;
-    if (mesh == nullptr || !options_.bridge.is_wanted || options_.nest) return kExitValid;
+    if (!solid_ || !options_.bridge.is_wanted || options_.nest) return kExitValid;
     progress_.phase(*options_.model, "building bridges");
     Stopwatch watch;
-    const auto builder = options_.bridge.are_in_space ? build_sweeps : build_bridges;
     Result<BridgeReport> built =
-        builder(*mesh, *model_, tiles_, bridge_options(default_skin(*mesh)), micro_);
+        solid_->bridge(*model_, tiles_, bridge_options(solid_->default_skin()),
+                       options_.bridge.are_in_space, micro_);
     if (!built) return refuse(built.error());
     report_.bridges = std::move(*built);
     report_.has_sweeps = !micro_.sweeps.empty();

@@ -68,6 +68,16 @@ Result<std::optional<Clearance>> MicroSolid::clearance_of(const Microstructure& 
   return veritope::clearance_of(micro, *complex(), jobs);
 }
 
+Result<BridgeReport> MicroSolid::bridge(const VModel& cage, const std::vector<AnalysedTile>& tiles,
+                                        const BridgeOptions& options, bool in_space,
+                                        Microstructure& micro) const {
+  const auto build = [&](const auto& solid) {
+    return in_space ? build_sweeps(solid, cage, tiles, options, micro)
+                    : build_bridges(solid, cage, tiles, options, micro);
+  };
+  return mesh() != nullptr ? build(*mesh()) : build(*complex());
+}
+
 Result<std::optional<MicroSolid::Escape>> MicroSolid::escape_from(const VModel& cage) const {
   const auto told = [](const std::string& part, const std::optional<std::string>& outside,
                        const std::optional<VFaceNumber>& face) {

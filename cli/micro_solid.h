@@ -5,10 +5,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/model_file.h"
 #include "robust/base/result.h"
 #include "solids/base/verdict.h"
+#include "solids/micro/bridge/build_bridges.h"
+#include "solids/micro/bridge/build_sweeps.h"
 #include "solids/micro/filter/tile_filter.h"
 #include "solids/micro/inside/clearance.h"
 #include "solids/vmodel/v_model.h"
@@ -48,6 +51,10 @@ class MicroSolid {
   /// How far the tiles are from the surface. REQUIRES !fault(), and as veritope::clearance_of.
   /// @error as veritope::clearance_of
   Result<std::optional<Clearance>> clearance_of(const Microstructure& micro, unsigned jobs) const;
+  /// See build_bridges and build_sweeps. REQUIRES !fault().
+  Result<BridgeReport> bridge(const VModel& cage, const std::vector<AnalysedTile>& tiles,
+                              const BridgeOptions& options, bool in_space,
+                              Microstructure& micro) const;
 
   struct Escape {
     std::string message;              ///< "triangle 5 does not lie inside of the cage: ..."

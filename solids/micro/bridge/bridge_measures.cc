@@ -33,7 +33,7 @@ BridgeRange angle_between(const Box3& a, const Box3& b) {
   return {std::max(0.0, angle.lo()), std::min(180.0, angle.hi())};
 }
 
-double distance_below(const MeshProjection& projection, const Box3& at) {
+double distance_below(const SkinProjection& projection, const Box3& at) {
   ExactPoint middle;
   Interval radius;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -42,7 +42,7 @@ double distance_below(const MeshProjection& projection, const Box3& at) {
     const Interval off = at[c] - Interval(m);
     radius += Interval(std::max(std::abs(off.lo()), std::abs(off.hi())));
   }
-  const Interval distance = sqrt(enclose(projection.project(middle).squared_distance));
+  const Interval distance = sqrt(projection.squared_distance(middle));
   return std::max(0.0, (distance - radius).lo());
 }
 

@@ -3,9 +3,9 @@
 // solids/micro/bridge.
 #pragma once
 #include "interval/box.h"
-#include "solids/classify/mesh_projection.h"
 #include "solids/micro/bridge/build_bridges.h"
 #include "solids/micro/bridge/cage_space_internal.h"
+#include "solids/micro/bridge/skin_projection_internal.h"
 
 namespace veritope::internal {
 
@@ -18,7 +18,7 @@ void widen(const BridgeRange& more, bool is_first, BridgeRange* range);
 Box3 hull_of(const HullPoints& points);
 /// Contains the angles, in degrees, between the vectors of both boxes.
 BridgeRange angle_between(const Box3& a, const Box3& b);
-/// No point of the box is nearer to the mesh.
-double distance_below(const MeshProjection& projection, const Box3& at);
+/// No point of the box is nearer to the surface.
+double distance_below(const SkinProjection& projection, const Box3& at);
 
 }  // namespace veritope::internal

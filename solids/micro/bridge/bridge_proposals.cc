@@ -3,7 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "interval/box_geometry.h"
 #include "solids/micro/bridge/bridge_proposals_internal.h"
+#include "solids/micro/bridge/plain_vectors_internal.h"
 
 namespace veritope::internal {
 namespace {
@@ -79,18 +81,22 @@ Point3d pushed_forward(const std::array<Point3d, 3>& columns, const Point3d& o) 
   return out;
 }
 
+Point3d nearest_point(const TilePoint& p) {
+  return {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
+}
 Rational dyadic(double x, int bits) {
   return Rational::from_double(std::ldexp(std::nearbyint(std::ldexp(x, bits)), -bits));
-}
-Point3d approx_point(const ExactPoint& p) {
-  return {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
 }
 
 }  // namespace
 
-BridgeProposals::BridgeProposals(const MeshSkin& skin, const VolumeSpace& space,
+BridgeProposals::BridgeProposals(const SkinProjection& projection, const VolumeSpace& space,
                                  const BridgeOptions& options, const OpenCap& cap)
-    : skin_(skin), space_(space), options_(options), cap_(cap), start_(space.place(cap.middle)) {
+    : projection_(projection),
+      space_(space),
+      options_(options),
+      cap_(cap),
+      start_(space.place(cap.middle)) {
   if (!start_) return;
   const std::size_t a = cap.front.axis, b = (a + 1) % 3, c = (a + 2) % 3;
   axis_ = start_->partial[a];
@@ -99,7 +105,11 @@ BridgeProposals::BridgeProposals(const MeshSkin& skin, const VolumeSpace& space,
   normal_ = unit_vector(cross_product(start_->partial[b], start_->partial[c]));
   if (dot_product(normal_, axis_) < 0)
     for (double& x : normal_) x = -x;
-  distance_ = skin.distance(start_->image);
+  distance_ = distance_to(start_->image);
+}
+
+double BridgeProposals::distance_to(const Point3d& p) const {
+  return std::sqrt(std::max(0.0, approx_middle(projection_.squared_distance(exact_point(p)))));
 }
 
 std::optional<BridgeProposals::End> BridgeProposals::find_end(std::size_t target) const {
@@ -111,7 +121,7 @@ std::optional<BridgeProposals::End> BridgeProposals::find_end(std::size_t target
     if (!here) return std::nullopt;
     from = *here;
   }
-  const SkinPoint skin = skin_.nearest(from);
+  const SkinPoint skin = projection_.project(from);
   End out{skin.at, skin.normal, size_of(sum_of(skin.at, -1, start_->image))};
   if (target == 0) out.reach = distance_;
   return out;
@@ -128,7 +138,7 @@ std::optional<Point3d> BridgeProposals::end_of_line() const {
     const std::optional<ApproxPlace> next = space_.place(to);
     if (!next) return std::nullopt;
     here = *next;
-    distance = skin_.distance(here.image);
+    distance = distance_to(here.image);
   }
   return here.image;
 }
@@ -166,7 +176,7 @@ MicroBridge BridgeProposals::shape(const End& end, const ApproxPlace& place, dou
     TilePoint row;
     for (std::size_t c = 0; c < 3; ++c) row[c] = cap_.surface.component(static_cast<int>(c))[i];
     out.points.push_back(row);
-    Point3d offset = sum_of(approx_point(row), -1, cap_.middle);
+    Point3d offset = sum_of(nearest_point(row), -1, cap_.middle);
     row[axis] += mu;
     out.points.push_back(row);
     for (double& x : offset) x *= size;

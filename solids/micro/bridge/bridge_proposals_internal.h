@@ -9,7 +9,7 @@
 
 #include "solids/micro/bridge/build_bridges.h"
 #include "solids/micro/bridge/cage_space_internal.h"
-#include "solids/micro/bridge/skin_point_internal.h"
+#include "solids/micro/bridge/skin_projection_internal.h"
 #include "solids/micro/bridge_front.h"
 
 namespace veritope::internal {
@@ -30,8 +30,8 @@ struct OpenCap {
 /// Proposes bridges for one cap: first that of algorithm 4, then others whose ends are moved.
 class BridgeProposals {
  public:
-  BridgeProposals(const MeshSkin& skin, const VolumeSpace& space, const BridgeOptions& options,
-                  const OpenCap& cap);
+  BridgeProposals(const SkinProjection& projection, const VolumeSpace& space,
+                  const BridgeOptions& options, const OpenCap& cap);
 
   /// The distance of the cap's middle from the surface is under a twentieth of the arm.
   bool is_flat() const { return !(distance_ >= cap_.arm / 20); }
@@ -45,13 +45,14 @@ class BridgeProposals {
     double reach = 0;  ///< the distance of the end from the cap
   };
 
+  double distance_to(const Point3d& p) const;
   const std::optional<End>& end_of(std::size_t target);
   std::optional<End> find_end(std::size_t target) const;
   std::optional<Point3d> end_of_line() const;
   MicroBridge shape(const End& end, const ApproxPlace& place, double size, double turn,
                     double lead) const;
 
-  const MeshSkin& skin_;
+  const SkinProjection& projection_;
   const VolumeSpace& space_;
   const BridgeOptions& options_;
   const OpenCap& cap_;

@@ -17,6 +17,8 @@
 #include "solids/micro/bridge/bridge_proof.h"
 #include "solids/micro/bridge/bridge_proposals_internal.h"
 #include "solids/micro/bridge/bridge_slices.h"
+#include "solids/micro/surface/patch_surface.h"
+#include "solids/micro/surface/triangle_surface.h"
 #include "splines/de_casteljau.h"
 #include "splines/knot_insertion.h"
 
@@ -47,15 +49,15 @@ struct CapSearch {
 
 class BridgeBuilder {
  public:
-  BridgeBuilder(const TriangleMesh& mesh, const VModel& cage,
-                const std::vector<AnalysedTile>& tiles, const BridgeOptions& options,
-                Microstructure& micro)
-      : cage_(cage),
+  BridgeBuilder(const SolidSurface& surface, const internal::SkinProjection& projection,
+                const VModel& cage, const std::vector<AnalysedTile>& tiles,
+                const BridgeOptions& options, Microstructure& micro)
+      : surface_(surface),
+        projection_(projection),
+        cage_(cage),
         tiles_(tiles),
         options_(options),
         micro_(micro),
-        surface_(mesh),
-        skin_(mesh),
         cells_(micro),
         disjoint_(micro) {}
 
@@ -137,15 +139,16 @@ class BridgeBuilder {
   void advance(CapSearch& search) const {
     if (search.is_built || search.next_try >= kBridgeTries) return;
     if (!search.proposals) {
-      search.proposals.emplace(surface_, spaces_[search.cap.front.volume], options_, search.cap);
+      search.proposals.emplace(projection_, spaces_[search.cap.front.volume], options_, search.cap);
       if (search.proposals->is_flat()) {
         search.worst = BridgeDrop::kFlat;
         search.next_try = kBridgeTries;
       }
     }
-    while (search.next_try < kBridgeTries && !search.found) try_next(search);
+    const auto view = surface_.view();
+    while (search.next_try < kBridgeTries && !search.found) try_next(*view, search);
   }
-  void try_next(CapSearch& search) const {
+  void try_next(SurfaceView& view, CapSearch& search) const {
     const auto fails = [&](BridgeDrop why) { search.worst = std::max(search.worst, why); };
     std::optional<MicroBridge> bridge = search.proposals->propose(search.next_try++);
     const BridgeFront& front = search.cap.front;
@@ -158,8 +161,8 @@ class BridgeBuilder {
     BridgeSlices slices(*bridge);
     if (!cut_off_tiles(cells_, bridge->cap, front, slices)) return fails(BridgeDrop::kTile);
     const VolumeSpace& space = spaces_[front.volume];
-    const auto reach = end_distance(skin_, space, *bridge, options_.skin);
-    if (!reach || !misses_facets(skin_, space, *bridge)) return fails(BridgeDrop::kSkin);
+    const auto reach = end_distance(view, space, *bridge, options_.skin);
+    if (!reach || !misses_surface(view, space, *bridge)) return fails(BridgeDrop::kSkin);
     search.found = FoundBridge{std::move(*bridge), std::move(slices), *reach};
   }
 
@@ -207,7 +210,7 @@ class BridgeBuilder {
     if (!spaces_[b.volume].hulls(at, &hulls) || hulls.empty()) return 0;
     Box3 image = Box3::empty();
     for (const auto& points : hulls) image = hull(image, internal::hull_of(points));
-    return internal::distance_below(surface_.projection(), image);
+    return internal::distance_below(projection_, image);
   }
 
   // Nothing where the map has one derivative at the wall. Else the angle between the derivatives on both sides.
@@ -244,18 +247,22 @@ class BridgeBuilder {
     return out;
   }
 
+  const SolidSurface& surface_;
+  const internal::SkinProjection& projection_;
   const VModel& cage_;
   const std::vector<AnalysedTile>& tiles_;
   const BridgeOptions& options_;
   Microstructure& micro_;
-  internal::MeshSkin surface_;
-  SkinFacets skin_;
   TileCells cells_;
   DisjointBridges disjoint_;
   std::vector<VolumeSpace> spaces_;
   std::vector<CapSearch> searches_;
   BridgeReport report_;
 };
+
+double skin_of_box(const Box3d& box) {
+  return std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]) / 100;
+}
 
 }  // namespace
 
@@ -268,13 +275,25 @@ const char* bridge_drop_name(BridgeDrop drop) {
 double default_skin(const TriangleMesh& mesh) {
   Box3d box = empty_box();
   for (const Vec3d& p : mesh.positions) add({p.x, p.y, p.z}, &box);
-  return std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]) / 100;
+  return skin_of_box(box);
+}
+double default_skin(const PatchComplex& complex) {
+  return skin_of_box(PatchSurface(complex).box());
 }
 
 Result<BridgeReport> build_bridges(const TriangleMesh& mesh, const VModel& cage,
                                    const std::vector<AnalysedTile>& tiles,
                                    const BridgeOptions& options, Microstructure& micro) {
-  return BridgeBuilder(mesh, cage, tiles, options, micro).run();
+  return BridgeBuilder(TriangleSurface(mesh), *internal::skin_projection(mesh), cage, tiles,
+                       options, micro)
+      .run();
+}
+Result<BridgeReport> build_bridges(const PatchComplex& complex, const VModel& cage,
+                                   const std::vector<AnalysedTile>& tiles,
+                                   const BridgeOptions& options, Microstructure& micro) {
+  return BridgeBuilder(PatchSurface(complex), *internal::skin_projection(complex), cage, tiles,
+                       options, micro)
+      .run();
 }
 
 }  // namespace veritope

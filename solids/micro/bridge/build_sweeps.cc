@@ -13,6 +13,8 @@
 #include "solids/micro/bridge/bridge_proof.h"
 #include "solids/micro/bridge/sweep_clearance_internal.h"
 #include "solids/micro/bridge/sweep_proposals_internal.h"
+#include "solids/micro/surface/patch_surface.h"
+#include "solids/micro/surface/triangle_surface.h"
 #include "splines/bezier_domain.h"
 #include "splines/de_casteljau.h"
 
@@ -46,15 +48,16 @@ struct SweepSearch {
 
 class SweepBuilder {
  public:
-  SweepBuilder(const TriangleMesh& mesh, const VModel& cage, const std::vector<AnalysedTile>& tiles,
+  SweepBuilder(const SolidSurface& surface, const internal::SkinProjection& projection,
+               const VModel& cage, const std::vector<AnalysedTile>& tiles,
                const BridgeOptions& options, Microstructure& micro,
                std::vector<internal::VolumeSpace> spaces)
-      : cage_(cage),
+      : surface_(surface),
+        projection_(projection),
+        cage_(cage),
         tiles_(tiles),
         options_(options),
         micro_(micro),
-        surface_(mesh),
-        facets_(mesh),
         spaces_(std::move(spaces)),
         starts_(micro, tiles),
         in_space_(micro, spaces_, options.jobs) {}
@@ -157,15 +160,16 @@ class SweepBuilder {
   void advance(SweepSearch& search) const {
     if (search.is_built || search.next_try >= kSweepTries) return;
     if (!search.proposals) {
-      search.proposals.emplace(surface_, options_, search.cap);
+      search.proposals.emplace(projection_, options_, search.cap);
       if (search.proposals->is_flat()) {
         search.worst = BridgeDrop::kFlat;
         search.next_try = kSweepTries;
       }
     }
-    while (search.next_try < kSweepTries && !search.found) try_next(search);
+    const auto view = surface_.view();
+    while (search.next_try < kSweepTries && !search.found) try_next(*view, search);
   }
-  void try_next(SweepSearch& search) const {
+  void try_next(SurfaceView& view, SweepSearch& search) const {
     const auto fails = [&](BridgeDrop why) { search.worst = std::max(search.worst, why); };
     std::optional<MicroSweep> sweep = search.proposals->propose(search.next_try++);
     if (!sweep) return fails(BridgeDrop::kSkin);
@@ -175,8 +179,8 @@ class SweepBuilder {
     PlacedSweep placed(starts_, *sweep, *witness);
     PairBudget budget{kPairsForTiles, 0};
     if (!in_space_.are_missed_by(placed, budget)) return fails(BridgeDrop::kTile);
-    const auto reach = end_distance(facets_, placed.nodes, options_.skin);
-    if (!reach || !misses_facets(facets_, placed.nodes)) return fails(BridgeDrop::kSkin);
+    const auto reach = end_distance(view, placed.nodes, options_.skin);
+    if (!reach || !misses_surface(view, placed.nodes)) return fails(BridgeDrop::kSkin);
     search.found = FoundSweep{std::move(*sweep), *witness, *reach};
   }
 
@@ -223,7 +227,7 @@ class SweepBuilder {
       at[c] = corner.size() > 3 ? corner[c] / corner[3] : corner[c];
       at[c] += enclose(sweep.axis[1][c]);
     }
-    return internal::distance_below(surface_.projection(), at);
+    return internal::distance_below(projection_, at);
   }
   // The angle between the begin of the curve and the images of the axis, at the points of a box around the cap.
   BridgeRange kink_of(const MicroSweep& sweep) const {
@@ -268,12 +272,12 @@ class SweepBuilder {
     return map.is_rational() ? to - from : all;
   }
 
+  const SolidSurface& surface_;
+  const internal::SkinProjection& projection_;
   const VModel& cage_;
   const std::vector<AnalysedTile>& tiles_;
   const BridgeOptions& options_;
   Microstructure& micro_;
-  internal::MeshSkin surface_;
-  SkinFacets facets_;
   std::vector<internal::VolumeSpace> spaces_;
   SweepStarts starts_;
   internal::TilesInSpace in_space_;
@@ -282,18 +286,32 @@ class SweepBuilder {
   BridgeReport report_;
 };
 
-}  // namespace
-
-Result<BridgeReport> build_sweeps(const TriangleMesh& mesh, const VModel& cage,
-                                  const std::vector<AnalysedTile>& tiles,
-                                  const BridgeOptions& options, Microstructure& micro) {
+Result<BridgeReport> build_on(const SolidSurface& surface,
+                              const internal::SkinProjection& projection, const VModel& cage,
+                              const std::vector<AnalysedTile>& tiles, const BridgeOptions& options,
+                              Microstructure& micro) {
   std::vector<internal::VolumeSpace> spaces;
   for (const VVolume& volume : micro.cage) {
     Result<internal::VolumeSpace> space = internal::VolumeSpace::make(volume);
     if (!space) return space.error();
     spaces.push_back(std::move(*space));
   }
-  return SweepBuilder(mesh, cage, tiles, options, micro, std::move(spaces)).run();
+  return SweepBuilder(surface, projection, cage, tiles, options, micro, std::move(spaces)).run();
+}
+
+}  // namespace
+
+Result<BridgeReport> build_sweeps(const TriangleMesh& mesh, const VModel& cage,
+                                  const std::vector<AnalysedTile>& tiles,
+                                  const BridgeOptions& options, Microstructure& micro) {
+  return build_on(TriangleSurface(mesh), *internal::skin_projection(mesh), cage, tiles, options,
+                  micro);
+}
+Result<BridgeReport> build_sweeps(const PatchComplex& complex, const VModel& cage,
+                                  const std::vector<AnalysedTile>& tiles,
+                                  const BridgeOptions& options, Microstructure& micro) {
+  return build_on(PatchSurface(complex), *internal::skin_projection(complex), cage, tiles, options,
+                  micro);
 }
 
 }  // namespace veritope

@@ -16,5 +16,9 @@ namespace veritope {
 Result<BridgeReport> build_sweeps(const TriangleMesh& mesh, const VModel& cage,
                                   const std::vector<AnalysedTile>& tiles,
                                   const BridgeOptions& options, Microstructure& micro);
+/// Leads sweeps to a complex of patches that bounds a solid (certified valid), in the same way.
+Result<BridgeReport> build_sweeps(const PatchComplex& complex, const VModel& cage,
+                                  const std::vector<AnalysedTile>& tiles,
+                                  const BridgeOptions& options, Microstructure& micro);
 
 }  // namespace veritope

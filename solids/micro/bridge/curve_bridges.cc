@@ -14,7 +14,6 @@
 #include "interval/upward.h"
 #include "robust/base/check.h"
 #include "robust/base/parallel.h"
-#include "solids/classify/patch_piece.h"
 #include "solids/micro/micro_bridge.h"
 
 namespace veritope {
@@ -163,13 +162,6 @@ class CurveBridgeSearch {
 };
 
 }  // namespace
-
-double default_skin(const PatchComplex& complex) {
-  const ScopedUpward upward;
-  Box3d box = empty_box();
-  for (const Patch& patch : complex.patches()) box = hull(box, PatchPiece(patch, 0).box());
-  return std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]) / 100;
-}
 
 bool is_curve_inside(const TileFilter& filter, const std::vector<SpacePoint>& points) {
   VT_CHECK(points.size() >= 2, "a curve has two control points or more");

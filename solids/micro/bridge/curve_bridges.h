@@ -39,10 +39,6 @@ struct CurveBridges {
 /// @cost  some tenths of a millisecond for each end
 Result<CurveBridges> build_curve_bridges(const TileFilter& filter, const SkinFeet& feet,
                                          const Microstructure& micro, const BridgeOptions& options);
-
-/// A hundredth of the diagonal of the box around the control points, rounded. REQUIRES a patch, positive weights.
-double default_skin(const PatchComplex& complex);
-
 /// True only if the Bezier curve with these control points lies in the interior of the filter's solid. REQUIRES as
 /// TileFilter::find, with 2 to 16 points.
 bool is_curve_inside(const TileFilter& filter, const std::vector<std::array<Rational, 3>>& points);

@@ -57,16 +57,16 @@ Rational dyadic_number(double x, int bits) {
 
 }  // namespace
 
-SweepProposals::SweepProposals(const MeshSkin& skin, const BridgeOptions& options,
+SweepProposals::SweepProposals(const SkinProjection& skin, const BridgeOptions& options,
                                const SpaceCap& cap)
-    : skin_(skin), options_(options), cap_(cap), distance_(skin.distance(cap.middle)) {}
+    : skin_(skin), options_(options), cap_(cap), distance_(approx_distance(skin, cap.middle)) {}
 
 // Steps along a ray from the cap's middle, none longer than the distance from the surface.
 std::optional<Point3d> SweepProposals::hit_along(const Point3d& direction) const {
   double far = 0;
   for (int step = 0; step < kMostRaySteps; ++step) {
     const Point3d at = sum_of(cap_.middle, far, direction);
-    const double distance = skin_.distance(at);
+    const double distance = approx_distance(skin_, at);
     if (distance <= 1e-3 * options_.skin || distance <= 1e-6 * far) return at;
     far += distance;
   }
@@ -97,7 +97,7 @@ const std::vector<Point3d>& SweepProposals::hits() {
       const Point3d way = sum_of(sum_of(cap_.normal, slope * std::cos(angle), across),
                                  slope * std::sin(angle), other);
       const auto hit = hit_along(unit_vector(way));
-      if (hit && tilt(skin_.nearest(*hit).normal) < (1 - kLeastDepth) * options_.skin)
+      if (hit && tilt(skin_.project(*hit).normal) < (1 - kLeastDepth) * options_.skin)
         hits_->push_back(*hit);
     }
   return *hits_;
@@ -113,7 +113,7 @@ std::optional<Point3d> SweepProposals::end_of(std::size_t aim, double ahead) {
     case SweepAim::kArms: ahead *= cap_.arm; break;
     case SweepAim::kDistances: ahead = options_.alpha * distance_; break;
   }
-  return skin_.nearest(sum_of(cap_.middle, ahead, cap_.normal)).at;
+  return skin_.project(sum_of(cap_.middle, ahead, cap_.normal)).at;
 }
 
 std::optional<SweepProposals::Curve> SweepProposals::curve(int index) {
@@ -136,7 +136,7 @@ std::optional<SweepProposals::Curve> SweepProposals::curve(int index) {
 std::array<double, 2> SweepProposals::depths(const Point3d& offset) const {
   std::array<double, 2> out = {HUGE_VAL, -HUGE_VAL};
   for (const Point3d& p : cap_.samples) {
-    const double depth = skin_.depth(sum_of(p, 1, offset));
+    const double depth = approx_depth(skin_, sum_of(p, 1, offset));
     out = {std::min(out[0], depth), std::max(out[1], depth)};
   }
   return out;

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "solids/classify/mesh_projection.h"
 #include "solids/micro/bridge/build_bridges.h"
-#include "solids/micro/bridge/skin_point_internal.h"
+#include "solids/micro/bridge/plain_vectors_internal.h"
+#include "solids/micro/bridge/skin_projection_internal.h"
 
 namespace veritope::internal {
 
@@ -26,7 +26,7 @@ struct SpaceCap {
 /// well: its curve is cut off where the samples of the cap would leave it.
 class SweepProposals {
  public:
-  SweepProposals(const MeshSkin& skin, const BridgeOptions& options, const SpaceCap& cap);
+  SweepProposals(const SkinProjection& skin, const BridgeOptions& options, const SpaceCap& cap);
 
   /// The distance of the cap's middle from the surface is under a twentieth of the arm.
   bool is_flat() const { return !(distance_ >= cap_.arm / 20); }
@@ -46,7 +46,7 @@ class SweepProposals {
   std::optional<Curve> drawn_back(const Curve& curve, double depth) const;
   std::array<double, 2> depths(const Point3d& offset) const;
 
-  const MeshSkin& skin_;
+  const SkinProjection& skin_;
   const BridgeOptions& options_;
   const SpaceCap& cap_;
   double distance_ = 0;

@@ -37,7 +37,7 @@ Box3 box_of_family(const EnclosedPatch& patch, const std::array<std::int32_t, 2>
 class CellSearch {
  public:
   CellSearch(const PartNet& net, const PatchTree& tile, const WallNumbers& numbers,
-             const SurfaceParts& surface, double known, std::uint64_t most_nodes)
+             const DistanceParts& surface, double known, std::uint64_t most_nodes)
       : net_(net),
         tile_(tile),
         numbers_(numbers),
@@ -146,7 +146,7 @@ class CellSearch {
         continue;
       }
       if (extent(view_->box(part)) > size)
-        if (const std::uint32_t first = view_->halves(part); first != SurfaceView::kNoHalves) {
+        if (const std::uint32_t first = view_->halves(part); first != DistanceView::kNoHalves) {
           left.push_back(first + 1);
           left.push_back(first);
           continue;
@@ -190,8 +190,8 @@ class CellSearch {
   const PartNet& net_;
   const PatchTree& tile_;
   const WallNumbers& numbers_;
-  const SurfaceParts& surface_;
-  std::unique_ptr<SurfaceView> view_;
+  const DistanceParts& surface_;
+  std::unique_ptr<DistanceView> view_;
   std::uint64_t most_nodes_;
   CellClearance out_;
   std::priority_queue<Node, std::vector<Node>, IsFarther> queue_;
@@ -237,7 +237,7 @@ std::uint32_t PatchTree::make(std::vector<std::uint32_t>& order, std::size_t beg
 }
 
 CellClearance clearance_of_cell(const PartNet& net, const PatchTree& tile,
-                                const WallNumbers& numbers, const SurfaceParts& surface,
+                                const WallNumbers& numbers, const DistanceParts& surface,
                                 double known, std::uint64_t most_nodes) {
   return CellSearch(net, tile, numbers, surface, known, most_nodes).run();
 }

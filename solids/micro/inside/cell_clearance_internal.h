@@ -53,7 +53,7 @@ struct CellClearance {
 /// @param known  an attained distance, or infinity
 /// Returns lo >= hi / kEnoughClearance unless it takes too many nodes. REQUIRES a live ScopedUpward.
 CellClearance clearance_of_cell(const PartNet& net, const PatchTree& tile,
-                                const WallNumbers& numbers, const SurfaceParts& surface,
+                                const WallNumbers& numbers, const DistanceParts& surface,
                                 double known, std::uint64_t most_nodes);
 
 }  // namespace veritope::internal

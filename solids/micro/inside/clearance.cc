@@ -50,7 +50,7 @@ struct IsFartherBlock {
 
 class ClearanceSearch {
  public:
-  ClearanceSearch(const Microstructure& micro, const SurfaceParts& surface, unsigned jobs,
+  ClearanceSearch(const Microstructure& micro, const DistanceParts& surface, unsigned jobs,
                   const ClearanceLimits& limits)
       : micro_(micro), surface_(surface), jobs_(jobs), limits_(limits) {
     for (const MicroTile& tile : micro.tiles) trees_.emplace_back(tile);
@@ -192,7 +192,7 @@ class ClearanceSearch {
   }
 
   const Microstructure& micro_;
-  const SurfaceParts& surface_;
+  const DistanceParts& surface_;
   unsigned jobs_;
   const ClearanceLimits& limits_;
   std::vector<PatchTree> trees_;
@@ -205,7 +205,7 @@ class ClearanceSearch {
 };
 
 Result<std::optional<Clearance>> clearance_from(const Microstructure& micro,
-                                                const SurfaceParts& surface, unsigned jobs,
+                                                const DistanceParts& surface, unsigned jobs,
                                                 const ClearanceLimits& limits) {
   if (surface.is_empty()) return std::optional<Clearance>();
   const ScopedUpward upward;
@@ -216,13 +216,13 @@ Result<std::optional<Clearance>> clearance_from(const Microstructure& micro,
 
 Result<std::optional<Clearance>> clearance_of(const Microstructure& micro, const TriangleMesh& mesh,
                                               unsigned jobs, const ClearanceLimits& limits) {
-  return clearance_from(micro, *internal::SurfaceParts::of(mesh), jobs, limits);
+  return clearance_from(micro, *internal::DistanceParts::of(mesh), jobs, limits);
 }
 
 Result<std::optional<Clearance>> clearance_of(const Microstructure& micro,
                                               const PatchComplex& complex, unsigned jobs,
                                               const ClearanceLimits& limits) {
-  return clearance_from(micro, *internal::SurfaceParts::of(complex), jobs, limits);
+  return clearance_from(micro, *internal::DistanceParts::of(complex), jobs, limits);
 }
 
 }  // namespace veritope

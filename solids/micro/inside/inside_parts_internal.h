@@ -7,9 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "solids/micro/inside/facet_planes_internal.h"
 #include "solids/micro/inside/grid_spans_internal.h"
-#include "solids/micro/inside/micro_inside.h"
+#include "solids/micro/inside/inside_solid_internal.h"
 #include "solids/micro/inside/part_net_internal.h"
 #include "splines/knot_insertion.h"
 
@@ -40,12 +39,10 @@ class VolumeMaps {
 struct InsideParts {
   const Microstructure& micro;
   const std::vector<AnalysedTile>& tiles;
-  const InsideModel& model;
+  const InsideSolid& solid;
   const InsideLimits& limits;
   unsigned jobs;
   std::vector<VolumeMaps> volumes;
-  FacetPlanes facets;
-  MeshClassifier classifier;
 
   /// The coefficients of a patch in a cell, in [0,1]^3.
   std::vector<TilePoint> exact_points(const CellPatch& at) const;

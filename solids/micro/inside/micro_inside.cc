@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "interval/upward.h"
-#include "robust/base/check.h"
 #include "robust/base/parallel.h"
 #include "solids/micro/inside/inside_parts_internal.h"
 #include "splines/de_casteljau.h"
@@ -47,23 +46,15 @@ std::string internal::InsideParts::name(const CellPatch& at) const {
          std::to_string(at.grid);
 }
 
-std::variant<InsideProof, InsideDefect> prove_inside(const Microstructure& micro,
-                                                     const std::vector<AnalysedTile>& tiles,
-                                                     const std::vector<CellPatch>& first_patches,
-                                                     const InsideModel& model, unsigned jobs,
-                                                     const InsideLimits& limits) {
+namespace {
+
+std::variant<InsideProof, InsideDefect> prove(const Microstructure& micro,
+                                              const std::vector<AnalysedTile>& tiles,
+                                              const std::vector<CellPatch>& first_patches,
+                                              const InsideSolid& solid, unsigned jobs,
+                                              const InsideLimits& limits) {
   const WorkerScope workers(std::max(1u, jobs));
-  Result<MeshClassifier> classifier =
-      MeshClassifier::make(*model.mesh, &model.shells, LookupDetail::kForBoxes);
-  VT_CHECK(classifier.has_value(), "the mesh of a solid is closed");
-  InsideParts parts{micro,
-                    tiles,
-                    model,
-                    limits,
-                    std::max(1u, jobs),
-                    {},
-                    FacetPlanes(*model.mesh),
-                    std::move(*classifier)};
+  InsideParts parts{micro, tiles, solid, limits, std::max(1u, jobs), {}};
   for (const VVolume& volume : micro.cage) parts.volumes.emplace_back(volume);
   InsideProof proof;
   if (auto defect = surface_defect(parts)) return std::move(*defect);
@@ -71,6 +62,23 @@ std::variant<InsideProof, InsideDefect> prove_inside(const Microstructure& micro
   if (auto defect = void_defect(parts, &proof.voids)) return std::move(*defect);
   if (auto defect = skin_defect(parts, &proof.skin)) return std::move(*defect);
   return proof;
+}
+
+}  // namespace
+
+std::variant<InsideProof, InsideDefect> prove_inside(const Microstructure& micro,
+                                                     const std::vector<AnalysedTile>& tiles,
+                                                     const std::vector<CellPatch>& first_patches,
+                                                     const InsideModel& model, unsigned jobs,
+                                                     const InsideLimits& limits) {
+  return prove(micro, tiles, first_patches, *inside_solid(model), jobs, limits);
+}
+std::variant<InsideProof, InsideDefect> prove_inside(const Microstructure& micro,
+                                                     const std::vector<AnalysedTile>& tiles,
+                                                     const std::vector<CellPatch>& first_patches,
+                                                     const PatchComplex& model, unsigned jobs,
+                                                     const InsideLimits& limits) {
+  return prove(micro, tiles, first_patches, *inside_solid(model), jobs, limits);
 }
 
 }  // namespace veritope

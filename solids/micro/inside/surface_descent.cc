@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// I1: the surface of a microstructure misses the triangles of a mesh.
+// I1: the surface of a microstructure misses the surface of the solid.
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -21,6 +23,7 @@ namespace {
 
 constexpr std::size_t kUnitSide = 16;  // cells along an axis that one thread takes at a time
 constexpr std::size_t kUnitBridges = 16;
+constexpr int kMostLevel = 56;  // the page has 60
 
 using CellNumber = std::array<std::size_t, 3>;
 struct CellBlock {
@@ -33,8 +36,6 @@ struct DescentUnit {
   CellBlock cells{};
   std::size_t first_bridge = 0, past_bridge = 0;
 };
-
-using FacetList = std::vector<std::uint32_t>;
 
 // A part of a sweep, as a node of descend().
 struct SweepPart {
@@ -68,7 +69,11 @@ struct DescentWork {
 class UnitDescent {
  public:
   UnitDescent(const DescentWork& work, const DescentUnit& unit, const DescentCounts& most)
-      : work_(work), parts_(work.parts), unit_(unit), budget_(most) {}
+      : work_(work),
+        parts_(work.parts),
+        unit_(unit),
+        budget_(most),
+        view_(work.parts.solid.surface().view()) {}
 
   std::optional<InsideDefect> run() {
     const ScopedUpward upward;
@@ -96,22 +101,11 @@ class UnitDescent {
     return false;
   }
 
-  // Facets that are not apart from the block's points; of those in `from`, or of all.
-  FacetList close_facets(const NodePoints& points, const FacetList* from) {
-    FacetList out;
-    const auto look = [&](std::uint32_t f) {
-      if (!meets(parts_.facets.box(f), points.box)) return;
-      budget_.add_pair();
-      if (!parts_.facets.is_apart(f, points)) out.push_back(f);
-    };
-    if (from == nullptr)
-      parts_.facets.visit(points.box, look);
-    else
-      std::for_each(from->begin(), from->end(), look);
-    return out;
+  void keep_close(std::span<const NodePoints> node, PartNumbers* parts) {
+    budget_.add_pairs(view_->keep_close(node, parts));
   }
 
-  void block(const CellBlock& b, const FacetList* from) {
+  void block(const CellBlock& b, const PartNumbers* from) {
     if (defect_ || budget_.is_spent() || !has_tile(b)) return;
     const auto& axes = work_.axes[unit_.grid];
     std::array<std::size_t, 3> spans{};
@@ -124,13 +118,14 @@ class UnitDescent {
       if (b.end[a] - b.begin[a] > b.end[longest] - b.begin[longest]) longest = a;
     }
     const PartNet net = parts_.volumes[grid().volume].net(spans).part(begin, end);
-    std::optional<FacetList> close;
+    std::optional<PartNumbers> close;
     if (net.points(&scratch_)) {
       points_.assign(scratch_);
-      close = close_facets(points_, from);
+      close = from == nullptr ? view_->near(points_.box) : *from;
+      keep_close({&points_, 1}, &*close);
       if (close->empty()) return;
     }
-    const FacetList* const list = close ? &*close : from;
+    const PartNumbers* const list = close ? &*close : from;
     const std::size_t size = b.end[longest] - b.begin[longest];
     if (size == 1) {
       if (list == nullptr) return fail_on_weights();
@@ -145,7 +140,7 @@ class UnitDescent {
     defect_ = InsideDefect{"I1", {}, {}, {}, "a weight of the cage is not proved to be positive"};
   }
 
-  void cell(const CellNumber& number, const PartNet& net, const FacetList& close) {
+  void cell(const CellNumber& number, const PartNet& net, const PartNumbers& close) {
     const Grid<3> shape = grid().shape();
     CellPatch at{unit_.grid, shape.at(number), 0};
     const auto numbers = grid().numbers_of(number);
@@ -156,94 +151,72 @@ class UnitDescent {
       const std::int32_t t =
           patch.wall ? numbers[static_cast<std::size_t>(*patch.wall)] : std::int32_t{0};
       patch_points(patch, t, &root.points);
-      const auto close_to = [&](const PatchNode& node, const FacetList& from) {
+      const auto close_to = [&](const PatchNode& node, PartNumbers* near) {
         const Box3 x = node.box();
         const PartNet part = net.part(lower_ends(x), upper_ends(x));
-        if (!part.points(&scratch_)) return from;
+        if (!part.points(&scratch_)) return;
         points_.assign(scratch_);
-        return close_facets(points_, &from);
+        keep_close({&points_, 1}, near);
       };
-      const auto left = descend(std::move(root), close, budget_, close_to);
-      if (!left) continue;
-      defect_ = InsideDefect{
-          "I1",
-          at,
-          {},
-          *left,
-          parts_.name(at) + " is not proved to miss triangle " + std::to_string(*left)};
+      if (const auto left = descend(std::move(root), close, kMostLevel, budget_, close_to))
+        fail(parts_.name(at), *left, at, std::nullopt);
     }
   }
 
   void bridge(std::size_t number) {
     const MicroBridge& b = parts_.micro.bridges[number];
     const BridgeMaps maps(parts_.volumes[b.volume]);
-    const auto close_to = [&](const BridgeNode& node, const FacetList& from) {
+    const auto close_to = [&](const BridgeNode& node, PartNumbers* near) {
       std::vector<NodePoints> all;
-      if (!maps.points(node.box(), &all)) return from;
-      for (std::size_t i = 1; i < all.size(); ++i) budget_.add_node();
-      FacetList out;
-      for (const std::uint32_t f : from) {
-        bool is_met = false, is_apart = true;
-        for (const NodePoints& points : all) {
-          if (!meets(parts_.facets.box(f), points.box)) continue;
-          is_met = true;
-          is_apart = is_apart && parts_.facets.is_apart(f, points);
-        }
-        if (is_met) budget_.add_pair();
-        if (!is_apart) out.push_back(f);
-      }
-      return out;
+      if (!maps.points(node.box(), &all)) return;
+      if (all.size() > 1) budget_.add_nodes(all.size() - 1);
+      keep_close(all, near);
     };
     BridgeNode root = enclosed_bridge(b);
-    const FacetList all = facets_near(maps, root);
-    const auto left = descend(std::move(root), all, budget_, close_to);
-    if (!left) return;
-    defect_ = InsideDefect{"I1",
-                           {},
-                           static_cast<std::uint32_t>(number),
-                           *left,
-                           "bridge " + std::to_string(number) + " is not proved to miss triangle " +
-                               std::to_string(*left)};
+    PartNumbers all = parts_near(maps, root);
+    if (const auto left = descend(std::move(root), std::move(all), kMostLevel, budget_, close_to))
+      fail("bridge " + std::to_string(number), *left, std::nullopt,
+           static_cast<std::uint32_t>(number));
   }
   // REQUIRES a cap of one patch.
   void sweep(std::size_t number) {
     const MicroSweep& s = parts_.micro.sweeps[number];
     SweepNodes nodes(work_.starts.wall(s.cap), work_.starts.cap(s.cap).value(), s.axis);
-    FacetList all;
-    parts_.facets.visit(nodes.box({}), [&](std::uint32_t f) { all.push_back(f); });
+    PartNumbers all = view_->near(nodes.box({}));
     std::sort(all.begin(), all.end());
-    const auto close_to = [&](const SweepPart& part, const FacetList& from) {
+    const auto close_to = [&](const SweepPart& part, PartNumbers* near) {
       nodes.points(part.node, &scratch_);
       points_.assign(scratch_);
-      return close_facets(points_, &from);
+      keep_close({&points_, 1}, near);
     };
-    const auto left = descend(SweepPart{&nodes, {}, 0}, all, budget_, close_to);
-    if (!left) return;
-    defect_ = InsideDefect{"I1",
-                           {},
-                           static_cast<std::uint32_t>(number),
-                           *left,
-                           "sweep " + std::to_string(number) + " is not proved to miss triangle " +
-                               std::to_string(*left)};
+    if (const auto left =
+            descend(SweepPart{&nodes, {}, 0}, std::move(all), kMostLevel, budget_, close_to))
+      fail("sweep " + std::to_string(number), *left, std::nullopt,
+           static_cast<std::uint32_t>(number));
   }
-  FacetList facets_near(const BridgeMaps& maps, const BridgeNode& node) const {
+  PartNumbers parts_near(const BridgeMaps& maps, const BridgeNode& node) const {
     std::vector<NodePoints> all;
-    FacetList out;
     Box3d box = empty_box();
-    if (maps.points(node.box(), &all)) {
+    if (maps.points(node.box(), &all))
       for (const NodePoints& points : all) box = hull(box, points.box);
-      parts_.facets.visit(box, [&](std::uint32_t f) { out.push_back(f); });
-      std::sort(out.begin(), out.end());
-      return out;
-    }
-    for (std::uint32_t f = 0; f < parts_.facets.size(); ++f) out.push_back(f);
+    else
+      box = parts_.solid.surface().box();
+    PartNumbers out = view_->near(box);
+    std::sort(out.begin(), out.end());
     return out;
+  }
+  void fail(const std::string& what, std::uint32_t part, std::optional<CellPatch> patch,
+            std::optional<std::uint32_t> bridge) {
+    const std::uint32_t source = view_->source(part);
+    defect_ = InsideDefect{"I1", patch, bridge, source,
+                           what + " is not proved to miss " + parts_.solid.name(source)};
   }
 
   const DescentWork& work_;
   const InsideParts& parts_;
   const DescentUnit& unit_;
   DescentBudget budget_;
+  std::unique_ptr<SurfaceView> view_;
   std::optional<InsideDefect> defect_;
   std::vector<Box3> scratch_;
   NodePoints points_;
@@ -311,7 +284,8 @@ std::optional<InsideDefect> surface_defect(const InsideParts& parts) {
                           {},
                           "that the surfaces do not meet takes more than " +
                               std::to_string(most.nodes) + " parts of patches, or " +
-                              std::to_string(most.pairs) + " comparisons with triangles"};
+                              std::to_string(most.pairs) + " comparisons with " +
+                              parts.solid.sources()};
   }
   return std::nullopt;
 }

@@ -12,7 +12,7 @@
 #include "interval/upward.h"
 #include "solids/classify/patch_cuts.h"
 #include "solids/classify/triangle_bound.h"
-#include "solids/micro/inside/facet_planes_internal.h"
+#include "solids/micro/surface/node_points.h"
 
 namespace veritope::internal {
 namespace {
@@ -64,7 +64,7 @@ double gap_along(const Point3d& d, const NodePoints& points, const std::array<Bo
 Box3 exact_point(const Vec3d& p) { return Box3(Interval(p.x), Interval(p.y), Interval(p.z)); }
 
 class MeshParts;
-class MeshView final : public SurfaceView {
+class MeshView final : public DistanceView {
  public:
   explicit MeshView(const MeshParts& parts) : parts_(parts) {}
   const Box3d& box(std::uint32_t part) const override;
@@ -76,7 +76,7 @@ class MeshView final : public SurfaceView {
   const MeshParts& parts_;
 };
 
-class MeshParts final : public SurfaceParts {
+class MeshParts final : public DistanceParts {
  public:
   explicit MeshParts(const TriangleMesh& mesh) : mesh_(mesh) {
     std::vector<Box3d> boxes;
@@ -88,7 +88,7 @@ class MeshParts final : public SurfaceParts {
     }
     set_boxes(std::move(boxes));
   }
-  std::unique_ptr<SurfaceView> view() const override { return std::make_unique<MeshView>(*this); }
+  std::unique_ptr<DistanceView> view() const override { return std::make_unique<MeshView>(*this); }
 
   std::array<Vec3d, 3> corners(std::uint32_t facet) const {
     const auto& t = mesh_.faces[facet];
@@ -123,7 +123,7 @@ double MeshView::reach(std::uint32_t part, const Box3& point) const {
 }
 
 class PatchParts;
-class PatchView final : public SurfaceView {
+class PatchView final : public DistanceView {
  public:
   explicit PatchView(const PatchParts& parts) : parts_(parts) {}
   const Box3d& box(std::uint32_t part) const override { return piece(part).box(); }
@@ -139,7 +139,7 @@ class PatchView final : public SurfaceView {
   std::unordered_map<std::uint32_t, std::uint32_t> halves_of_;  // the first one
 };
 
-class PatchParts final : public SurfaceParts {
+class PatchParts final : public DistanceParts {
  public:
   explicit PatchParts(const PatchComplex& complex) {
     const ScopedUpward upward;
@@ -148,7 +148,7 @@ class PatchParts final : public SurfaceParts {
     for (const PatchPiece& piece : pieces_) boxes.push_back(piece.box());
     set_boxes(std::move(boxes));
   }
-  std::unique_ptr<SurfaceView> view() const override { return std::make_unique<PatchView>(*this); }
+  std::unique_ptr<DistanceView> view() const override { return std::make_unique<PatchView>(*this); }
   const std::vector<PatchPiece>& pieces() const { return pieces_; }
 
  private:
@@ -206,10 +206,10 @@ double least_distance(const Box3d& a, const Box3d& b) {
   return sqrt(sum).lo();
 }
 
-std::unique_ptr<const SurfaceParts> SurfaceParts::of(const TriangleMesh& mesh) {
+std::unique_ptr<const DistanceParts> DistanceParts::of(const TriangleMesh& mesh) {
   return std::make_unique<const MeshParts>(mesh);
 }
-std::unique_ptr<const SurfaceParts> SurfaceParts::of(const PatchComplex& complex) {
+std::unique_ptr<const DistanceParts> DistanceParts::of(const PatchComplex& complex) {
   return std::make_unique<const PatchParts>(complex);
 }
 

@@ -31,9 +31,9 @@ inline bool may_be_nearer(const Box3d& a, const Box3d& b, double distance) {
 
 /// Parts by numbers: those that all views share, then those that this view has cut out of them. One thread uses a view.
 /// All functions REQUIRE a live ScopedUpward.
-class SurfaceView {
+class DistanceView {
  public:
-  virtual ~SurfaceView() = default;
+  virtual ~DistanceView() = default;
   virtual const Box3d& box(std::uint32_t part) const = 0;
   /// A lower bound of the distances between the hull of the points and the part; the first that is found to be at least
   /// `enough`, or else the best one.
@@ -46,10 +46,10 @@ class SurfaceView {
 };
 
 /// Immutable: threads share it.
-class SurfaceParts {
+class DistanceParts {
  public:
-  virtual ~SurfaceParts() = default;
-  virtual std::unique_ptr<SurfaceView> view() const = 0;
+  virtual ~DistanceParts() = default;
+  virtual std::unique_ptr<DistanceView> view() const = 0;
 
   bool is_empty() const { return tree_.order().empty(); }
   /// Between the boxes of a shared part and another one.
@@ -64,9 +64,9 @@ class SurfaceParts {
   }
 
   /// REQUIRES finite coordinates. The mesh must outlive it.
-  static std::unique_ptr<const SurfaceParts> of(const TriangleMesh& mesh);
+  static std::unique_ptr<const DistanceParts> of(const TriangleMesh& mesh);
   /// REQUIRES positive weights. The complex must outlive it.
-  static std::unique_ptr<const SurfaceParts> of(const PatchComplex& complex);
+  static std::unique_ptr<const DistanceParts> of(const PatchComplex& complex);
 
  protected:
   void set_boxes(std::vector<Box3d> boxes) {

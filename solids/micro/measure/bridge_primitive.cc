@@ -34,6 +34,9 @@ Interval sum_of_products(const std::vector<Interval>& c, std::size_t order,
   return sum;
 }
 
+// Errors may be infinite.
+Interval bound_of(double error) { return Interval::from_bounds(0, error); }
+
 // The least e with x <= 2^e.
 int exponent_above(double x) {
   int e = 0;
@@ -87,7 +90,7 @@ BridgePrimitive::BridgePrimitive(const VVolume& volume, std::uint32_t number, co
     expand(volume, number, lo, hi, at, determinants);
     order_ = std::max(order_, cells_[n].order);
     if (at[axis_] == 0) {
-      cells_[n].error = (Interval(cells_[n].rest) * cells_[n].width[axis_]).hi();
+      cells_[n].error = (bound_of(cells_[n].rest) * cells_[n].width[axis_]).hi();
       continue;
     }
     --at[axis_];
@@ -125,7 +128,7 @@ void BridgePrimitive::expand(const VVolume& volume, std::uint32_t number, const 
   expansion.cell(row, 0, cell.expansion);
   for (Interval& c : cell.expansion) c *= factor;
   cell.rest =
-      ((Interval(found.errors[cell.order]) + Interval(found.determinant.error)) * factor).hi();
+      ((bound_of(found.errors[cell.order]) + bound_of(found.determinant.error)) * factor).hi();
 }
 
 // The integral of P_i over [-1, 1] is 0 for i > 0: along the axis a cell adds its terms with the number 0.
@@ -138,7 +141,7 @@ void BridgePrimitive::go_on(const Cell& before, Cell& cell) const {
     if (m < before.at_begin.size()) cell.at_begin[m] += before.at_begin[m];
     if (m < before.expansion.size()) cell.at_begin[m] += before.width[axis_] * before.expansion[m];
   }
-  cell.error = (Interval(before.error) + Interval(cell.rest) * cell.width[axis_]).hi();
+  cell.error = (bound_of(before.error) + bound_of(cell.rest) * cell.width[axis_]).hi();
 }
 
 BridgePrimitive::CellRange BridgePrimitive::cells_of(const Box3& y) const {

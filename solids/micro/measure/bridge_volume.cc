@@ -70,7 +70,7 @@ Interval slope_bound(const BezierSurface<Interval>& net, std::size_t component, 
       most = std::max(
           most, mag(x[first + (i + 1) * grid.stride(axis)] - x[first + i * grid.stride(axis)]));
   });
-  return Interval(most) * Interval(static_cast<double>(net.degree(axis)));
+  return Interval::from_bounds(0, most) * Interval(static_cast<double>(net.degree(axis)));
 }
 
 // The box of a bridge's net.
@@ -200,7 +200,9 @@ class OneBridge {
       return primitive_.near_begin(above, y) + (y[a] - cut) * Interval(j.mid);
     });
     const double error = std::max(primitive_.error(below), primitive_.error(above));
-    return value + up_to((Interval(error) + Interval(j.rad) * Interval(mag(box[a] - cut))).hi()) *
+    return value + up_to((Interval::from_bounds(0, error) +
+                          Interval::from_bounds(0, j.rad) * Interval(mag(box[a] - cut)))
+                             .hi()) *
                        size_bound(net);
   }
 

@@ -203,6 +203,10 @@ class Sweeps(Judged):
         self.accept(Micro([one], [mf.rod()], cage, sweeps=[slow]), 1, 1, 0, 1, 1, 0)
         slow.depth = Q(1)
         self.reject(Micro([one], [mf.rod()], cage, sweeps=[slow]), "Q2")
+        slow = straight((0, 0, -4), wall=4, depth=Q(1, 8))
+        self.accept(Micro([one], [mf.rod()], cage, sweeps=[slow]), 1, 1, 0, 1, 1, 0)
+        slow.depth = Q(1)
+        self.reject(Micro([one], [mf.rod()], cage, sweeps=[slow]), "Q2")
 
     def test_q2_beyond_the_wall(self):
         self.reject_column("Q2", straight((0, 0, -2)))     # into the tile

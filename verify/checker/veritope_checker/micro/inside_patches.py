@@ -24,10 +24,10 @@ class ModelNode:
     their numbers, in units of `scale`, and of W itself."""
 
     def __init__(self, arrays, sizes, scale, error, level=0):
-        self.arrays, self.sizes, self.scale, self.error, self.level, self.kids = arrays, sizes, scale, error, level, None
+        self.arrays, self.sizes, self.scale, self.error, self.level = arrays, sizes, scale, error, level
         self.points = self.divided()
         self.box, self.size = self.points.box, size_of(self.points.box)
-        self.normal = None
+        self.normal = self.kids = None
 
     def divided(self):
         """Points."""

@@ -222,7 +222,7 @@ def bow(k):
 
 
 def loose_sweeps(rng):
-    """Q1: the cap is glued, has many patches, or there is none in the wall."""
+    """Q1: the cap is glued, has many patches, or the wall has no cap."""
     what = rng.randrange(3)
     if what == 0:
         row = SweepRow(rng, held=(0, 1))
@@ -334,7 +334,8 @@ def uncounted_sweeps(rng):
     yield "W3_sweeps", true.changed(values={**true.values, key: true.values[key] + step})
 
 
-STRATEGIES = ((misled_sweeps, 16), (loose_sweeps, 8), (sweeps_into_tiles, 10), (sweeps_into_themselves, 4), (sweeps_in_touch, 10), (forged_hints, 6), (uncounted_sweeps, 3))
+STRATEGIES = ((misled_sweeps, 16), (loose_sweeps, 8), (sweeps_into_tiles, 10), (sweeps_into_themselves, 4), (sweeps_in_touch, 10),
+              (forged_hints, 6), (uncounted_sweeps, 3))
 
 
 # ---------------------------------------------------------------- the truth

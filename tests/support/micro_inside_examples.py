@@ -101,7 +101,7 @@ def solids_bulge(p):
 
 
 def cut_evenly(entity, n):
-    """The same surface with knots at i / n of full multiplicity."""
+    """Writes the surface with knots at i / n of full multiplicity."""
     shape = entity["shape"]
     p, q = shape["degrees"]
     points = [[Q(c) for c in point] for point in shape["points"]]

@@ -6,7 +6,7 @@ from math import inf
 
 from .inside_blocks import Block, Blocks, size_of
 from .inside_nodes import TINY, ULP, nearest, node_of
-from .inside_space import MAX_COORDINATE, Points, Space
+from .inside_space import MAX_COORDINATE, Space
 
 KEPT = 1 << 12                                              # nodes of patches with numbers
 KEPT_CELLS, KEPT_LEVELS = 16, 6                             # cells with their nodes; levels of a part
@@ -83,7 +83,7 @@ class PartNode:
         return self.points
 
     def halves(self):
-        """Of nodes of low levels they are kept."""
+        """Two nodes; they are kept if the level is low."""
         kids = self.kids or self.made_halves()
         self.kids = kids if self.level < KEPT_LEVELS else None
         return kids
@@ -99,7 +99,7 @@ class PatchNode(PartNode):
         return [PatchNode(self.frame, node) for node in self.node.halves()]
 
 class BridgeNode(PartNode):
-    """Of a bridge, or of its end face.  node: in the volume's parameters, brought to [0, 1]."""
+    """A node of a bridge, or of its end face.  node: in the volume's parameters, brought to [0, 1]."""
 
     def __init__(self, space, node):
         self.space, self.node = space, node

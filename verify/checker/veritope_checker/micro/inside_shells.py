@@ -35,7 +35,7 @@ class PatchWinding:
 
     @cached_property
     def depths(self):
-        """Of the shells: the number of the others that contain a vertex."""
+        """For each shell the number of the others that contain a vertex of it."""
         firsts = [self.shell_of.index(shell) for shell in self.shells()]
         if len(firsts) == 1:
             return [0]

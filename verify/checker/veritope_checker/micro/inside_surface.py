@@ -33,8 +33,8 @@ class Surface:
             for cell, near in self.cells_near(n):
                 for patch, node in enumerate(self.parts.of_cell(n, cell)):
                     if not self.is_off(node, near):
-                        raise Reject("I1", "patch %d of the tile in cell %d of a grid in volume %d may meet the mesh" % (
-                            patch, cell, grid.volume))
+                        raise Reject("I1", "patch %d of the tile in cell %d of a grid in volume %d may meet the mesh"
+                                     % (patch, cell, grid.volume))
         for n, bridge in enumerate(self.model.bridges):
             if not self.is_off(self.parts.of_bridge(bridge), None):
                 raise Reject("I1", "bridge %d may meet the mesh" % n)

@@ -364,7 +364,6 @@ class MicroRun {
     Result<BridgeReport> built = builder(*mesh, *model_, tiles_, how, micro_);
     if (!built) return refuse(built.error());
     report_.bridges = std::move(*built);
-    report_.has_sweeps = !micro_.sweeps.empty();
     report_.seconds.bridge = watch.lap();
     return kExitValid;
   }

@@ -6,6 +6,7 @@
 
 #include "interval/upward.h"
 #include "robust/base/random.h"
+#include "solids/micro/bridge/box_bins.h"
 #include "solids/micro/bridge/sweep_matrix.h"
 #include "solids/micro/bridge/sweep_proof.h"
 #include "solids/micro/fill_cage.h"
@@ -312,6 +313,31 @@ TEST(Sweeps, RefusesOnesThatMeet) {
   s.micro.sweeps[1].axis[1][1] = part(1, 4);  // it follows
   s.micro.sweeps[0].axis[1][1] = part(1, 4);
   EXPECT_EQ(s.condition(), "");
+}
+
+TEST(BoxBins, FindAllBoxesThatMeet) {
+  Random random(31);
+  internal::BoxBins bins({1, 1, 0.5});
+  std::vector<Box3d> boxes;
+  const auto box = [&] {
+    Box3d out;
+    for (std::size_t c = 0; c < 3; ++c) {
+      out.lo[c] = static_cast<double>(random.between(-80, 80)) / 8;
+      out.hi[c] =
+          out.lo[c] + static_cast<double>(random.between(0, random.below(20) == 0 ? 400 : 12)) / 8;
+    }
+    return out;
+  };
+  for (std::uint32_t n = 0; n < 200; ++n) {
+    const Box3d asked = box();
+    const auto near = bins.near(asked);
+    EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+      if (meets(boxes[i], asked))
+        EXPECT_TRUE(std::binary_search(near.begin(), near.end(), i)) << "seed 31, box " << n;
+    boxes.push_back(box());
+    bins.add(n, boxes.back());
+  }
 }
 
 // The points of nodes contain the sweep's points, and halves cover their node.

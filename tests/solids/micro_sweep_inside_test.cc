@@ -156,7 +156,7 @@ TEST(SweepVolumes, AreEnclosed) {
     Microstructure alone = lattice.micro;
     ASSERT_GT(lattice.sweep().built, 10u);
     MicroMeshOptions options;
-    options.chord = 0.001;
+    options.chord = 0.004;
     const auto size = [&](const Microstructure& micro) {
       double sum = 0;
       const MicroMesh mesh = mesh_of(micro, lattice.cage, lattice.tiles, options).value();

@@ -358,7 +358,6 @@ class MicroRun {
                        options_.bridge.are_in_space, micro_);
     if (!built) return refuse(built.error());
     report_.bridges = std::move(*built);
-    report_.has_sweeps = !micro_.sweeps.empty();
     report_.seconds.bridge = watch.lap();
     return kExitValid;
   }

@@ -199,8 +199,7 @@ std::string micro_run_text(const MicroRunReport& r) {
   if (r.volume && r.density)
     text += detail_line("volume", bounds_text(*r.volume) + ", " +
                                       bounds_text({100 * r.density->lo, 100 * r.density->hi}) +
-                                      " % of the cells" +
-                                      (r.has_sweeps ? ", without bridges in space" : ""));
+                                      " % of the cells");
   if (r.clearance)
     text += detail_line(
         "clearance", clearance_text(*r.clearance) + " from the tiles to the surface of the model");

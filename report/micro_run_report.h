@@ -60,10 +60,8 @@ struct MicroRunReport {
   std::uint64_t kinds = 0;
   std::optional<MicroCounts> counts;    ///< of what was written
   std::optional<BridgeReport> bridges;  ///< nothing if none were to be built
-  /// The tiles and bridges, in cubic units of the model; bridges in space do not count.
-  std::optional<Bounds> volume;
-  bool has_sweeps = false;        ///< bridges are in space
-  std::optional<Bounds> density;  ///< that volume over the volume of all cells
+  std::optional<Bounds> volume;         ///< of tiles and bridges, in cubic units of the model
+  std::optional<Bounds> density;        ///< that volume over the volume of all cells
   /// The least and the greatest determinant of the cage's map from [0, 1]^3 over the cells with tiles, up to its sign.
   std::optional<Bounds> scale;
   /// The least distance of a tile from the surface of the model, in its units.

@@ -7,6 +7,7 @@
 
 #include "interval/upward.h"
 #include "solids/micro/compose/composed_surface.h"
+#include "solids/micro/measure/micro_volume.h"
 #include "solids/micro/mesh/micro_mesh.h"
 #include "solids/micro/sweep_nodes.h"
 #include "solids/micro/sweep_start.h"
@@ -37,6 +38,20 @@ Microstructure swept(const Rational& aside = {}) {
       {{0, 0, 1},
        {TilePoint{part(3, 16), Rational(0), Rational(0)}, {part(3, 8), aside, Rational(0)}}});
   return micro;
+}
+
+// The volume with weights that vary by a third.
+VVolume with_weights(const VVolume& volume) {
+  const Grid<3> grid = volume.grid();
+  std::vector<Rational> c;
+  const auto weight = [&](std::size_t i) {
+    const auto at = grid.index_of(i);
+    return part(6 + static_cast<std::int64_t>((at[0] + 2 * at[1] + at[2]) % 3), 8);
+  };
+  for (int k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < grid.count(); ++i) c.push_back(weight(i) * volume.component(k)[i]);
+  for (std::size_t i = 0; i < grid.count(); ++i) c.push_back(weight(i));
+  return VVolume({volume.axis(0), volume.axis(1), volume.axis(2)}, 4, true, std::move(c));
 }
 
 // PROVES MICRO-2.I1
@@ -121,6 +136,44 @@ TEST(SweepMeshes, AreSolidsAtTheProvedDistance) {
         EXPECT_LE(approx::distance_to_mesh({x[0], x[1], x[2]}, mesh.mesh), mesh.distance + 1e-12);
       }
     }
+  }
+}
+
+// A cap of a quarter is moved by 3/8 along its normal, whatever the curve is; other volumes are those of meshes.
+TEST(SweepVolumes, AreEnclosed) {
+  for (const Rational& aside : {Rational(0), part(1, 2)}) {
+    const Microstructure micro = swept(aside);
+    const VModel cage = make_v_model(micro.cage, VOrientation::kAuto).value();
+    const MicroVolume v = volume_of(micro, cage, 2).value();
+    EXPECT_LE(v.bridges.lo(), 3.0 / 32);
+    EXPECT_GE(v.bridges.hi(), 3.0 / 32);
+    EXPECT_LE(v.bridges.hi() - v.bridges.lo(), 1e-14);
+  }
+  for (const bool is_rational : {false, true}) {
+    VVolume volume = micro_lattice::cage_volume(1, true);
+    if (is_rational) volume = with_weights(volume);
+    micro_lattice::Lattice lattice(6, volume, part(2, 10), part(8, 10));
+    Microstructure alone = lattice.micro;
+    ASSERT_GT(lattice.sweep().built, 10u);
+    MicroMeshOptions options;
+    options.chord = 0.004;
+    const auto size = [&](const Microstructure& micro) {
+      double sum = 0;
+      const MicroMesh mesh = mesh_of(micro, lattice.cage, lattice.tiles, options).value();
+      for (const auto& t : mesh.mesh.faces) {
+        const Vec3d &a = mesh.mesh.positions[t[0]], &b = mesh.mesh.positions[t[1]],
+                    &c = mesh.mesh.positions[t[2]];
+        sum += a.x * (b.y * c.z - b.z * c.y) - a.y * (b.x * c.z - b.z * c.x) +
+               a.z * (b.x * c.y - b.y * c.x);
+      }
+      return sum / 6;
+    };
+    const double truth = size(lattice.micro) - size(alone);
+    const MicroVolume v = volume_of(lattice.micro, lattice.cage, 1).value();
+    EXPECT_LE(v.bridges.hi() - v.bridges.lo(), 1e-9 * truth);
+    EXPECT_NEAR(v.bridges.lo(), truth, 0.01 * truth) << is_rational;
+    EXPECT_EQ(volume_of(lattice.micro, lattice.cage, 3)->bridges, v.bridges);
+    EXPECT_EQ(volume_of(alone, lattice.cage, 1)->tiles, v.tiles);
   }
 }
 

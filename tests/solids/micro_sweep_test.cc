@@ -6,6 +6,7 @@
 
 #include "interval/upward.h"
 #include "robust/base/random.h"
+#include "solids/micro/bridge/box_bins.h"
 #include "solids/micro/bridge/sweep_matrix.h"
 #include "solids/micro/bridge/sweep_proof.h"
 #include "solids/micro/fill_cage.h"
@@ -186,8 +187,7 @@ TEST(Sweeps, StartAtACapThatIsFree) {
   no_cap.keep({0});
   no_cap.add({0, 0, 3}, e, f);
   EXPECT_EQ(no_cap.condition(), "Q1");
-  // Two caps in one wall.
-  MicroTile fork = box_tile({0, 16, 16}, {64, 48, 48});
+  // A cap in the cage's border is free.
   SweptCells border({1, 1, 1});
   border.add({0, 0, 1}, e, f);
   EXPECT_EQ(border.condition(), "");
@@ -269,34 +269,30 @@ TEST(Sweeps, RefusesOnesThroughATile) {
   s.micro.sweeps[0].axis = {TilePoint{part(1, 16), Rational(0), Rational(0)},
                             {part(1, 5), Rational(0), Rational(0)}};
   EXPECT_EQ(s.condition(), "");
-  // One of tiles off its cell, in a cage of two volumes that are far apart in the parameters.
+  // A tile beside the cell across the wall.
   SweptCells row({2, 2, 1});
   row.keep({0, 3});
   row.add({0, 0, 1}, {part(1, 8), Rational(0), Rational(0)}, {part(1, 4), part(1, 2), Rational(0)});
   EXPECT_EQ(row.condition(), "Q3");
 }
 
-// A quarter of a ring, around which a sweep leads straight on, and comes to the own tile from outside.
 // PROVES MICRO-1.Q3
 TEST(Sweeps, RefusesOnesIntoTheirOwnTile) {
-  // A U-shaped volume: u goes around three sides of a square.
-  const std::array<std::array<int, 2>, 4> bend = {{{0, 0}, {8, 0}, {8, 8}, {0, 8}}};
+  // A volume that turns around three sides of a square, and further: its end lies before its begin, 8 higher up.
+  const std::array<std::array<int, 2>, 4> bend = {{{0, 0}, {8, 0}, {8, 8}, {-6, 8}}};
+  const std::array<std::array<int, 2>, 4> off = {{{0, -1}, {1, -1}, {1, 1}, {0, 1}}};
   const VVolume turned =
       v_cells::polynomial({3, 1, 1}, [&](std::size_t i, std::size_t j, std::size_t k) {
-        // Across: outward in the plane.
-        const std::array<std::array<int, 2>, 4> off = {{{0, -1}, {1, -1}, {1, 1}, {0, 1}}};
         const auto y = static_cast<int>(j);
         return v_cells::Point{Rational(bend[i][0] + y * off[i][0]),
                               Rational(bend[i][1] + y * off[i][1]), Rational(k)};
       });
   SweptCells s({1, 1, 1}, box_tile({0, 16, 16}, {64, 48, 48}), turned);
-  // From u0 at (0, -1/2) towards u1 at (0, 8 + 1/2): the own tile's other end, beyond the slab.
-  s.add({0, 0, 0}, {Rational(-3), Rational(0), Rational(0)},
-        {Rational(-4), Rational(4), Rational(0)});
+  const TilePoint e = {Rational(-2), Rational(0), Rational(0)};
+  s.add({0, 0, 0}, e, {Rational(-4), Rational(5), Rational(0)});
   EXPECT_EQ(s.condition(), "");
-  s.micro.sweeps[0].axis = {TilePoint{Rational(-5), Rational(4), Rational(0)},
-                            {Rational(-6), Rational(9), Rational(0)}};
-  EXPECT_EQ(s.condition(), "");
+  s.micro.sweeps[0].axis[1][1] = Rational(9);  // into the other end
+  EXPECT_EQ(s.condition(), "Q3");
 }
 
 // PROVES MICRO-1.Q4
@@ -312,6 +308,32 @@ TEST(Sweeps, RefusesOnesThatMeet) {
   s.micro.sweeps[1].axis[1][1] = part(1, 4);  // it follows
   s.micro.sweeps[0].axis[1][1] = part(1, 4);
   EXPECT_EQ(s.condition(), "");
+}
+
+TEST(BoxBins, FindAllBoxesThatMeet) {
+  Random random(31);
+  internal::BoxBins bins({1, 1, 0.5});
+  std::vector<Box3d> boxes;
+  const auto box = [&] {
+    Box3d out;
+    for (std::size_t c = 0; c < 3; ++c) {
+      out.lo[c] = static_cast<double>(random.between(-80, 80)) / 8;
+      out.hi[c] =
+          out.lo[c] + static_cast<double>(random.between(0, random.below(20) == 0 ? 400 : 12)) / 8;
+    }
+    return out;
+  };
+  for (std::uint32_t n = 0; n < 200; ++n) {
+    const Box3d asked = box();
+    const auto near = bins.near(asked);
+    EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      const bool is_found = std::binary_search(near.begin(), near.end(), i);
+      EXPECT_TRUE(is_found || !meets(boxes[i], asked)) << "seed 31, box " << n;
+    }
+    boxes.push_back(box());
+    bins.add(n, boxes.back());
+  }
 }
 
 // The points of nodes contain the sweep's points, and halves cover their node.

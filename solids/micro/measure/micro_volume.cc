@@ -12,6 +12,7 @@
 #include "solids/micro/measure/bridge_volume_internal.h"
 #include "solids/micro/measure/cell_expansion_internal.h"
 #include "solids/micro/measure/span_determinant_internal.h"
+#include "solids/micro/measure/sweep_volume_internal.h"
 #include "solids/micro/measure/tile_moments_internal.h"
 
 namespace veritope {
@@ -190,7 +191,9 @@ Interval bridges_beside(const Microstructure& micro, const VModel& cage, const I
   std::vector<int> hands;
   for (std::uint32_t v = 0; v < micro.cage.size(); ++v)
     hands.push_back(cage.hand(v) == Sign::kNegative ? -1 : 1);
-  return internal::volume_of_bridges(micro, hands, kSmallWidth * mag(tiles), jobs);
+  return micro.sweeps.empty()
+             ? internal::volume_of_bridges(micro, hands, kSmallWidth * mag(tiles), jobs)
+             : internal::volume_of_sweeps(micro, hands, jobs);
 }
 
 // Whether the grids of all volumes with bridges fill their parameters; they do not overlap.
@@ -233,7 +236,7 @@ Result<MicroVolume> volume_of(const Microstructure& micro, const VModel& cage, u
     out.tiles += is_left ? -volumes[n].tiles : volumes[n].tiles;
     out.cells += is_left ? -volumes[n].cells : volumes[n].cells;
   }
-  if (!micro.bridges.empty()) out.bridges = bridges_beside(micro, cage, out.tiles, jobs);
+  if (micro.num_bridges() != 0) out.bridges = bridges_beside(micro, cage, out.tiles, jobs);
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   if (!(mag(out.tiles) < kInfinite && mag(out.cells) < kInfinite && mag(out.bridges) < kInfinite))
     return Error{Code::kNotFinite, {}, "the volume of the microstructure is not bounded"};

@@ -62,7 +62,7 @@ TEST(Dms, ReadsWhatTheFileHolds) {
   EXPECT_EQ(write_dms(m), one_dms());
 }
 
-// PROVES: the canonical form of docs/formats/dms-files.md reads back as the same model and the same bytes.
+// The canonical form of docs/formats/dms-files.md reads back as the same model and the same bytes.
 TEST(Dms, CanonicalFilesComeBackByteForByte) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     DmsModel model = draw_dms(seed, 4).model;

@@ -174,9 +174,9 @@ MicroBody micro_with_sweeps() {
   return b;
 }
 
-MicroInsideBody micro_inside(const ValidBody& solid) {
+MicroInsideBody micro_inside(std::variant<ValidBody, StarBoxBody> solid) {
   const Fraction half{false, {1}, {2}}, odd{true, {3, 1}, {7, 9}};
-  return {micro(), solid, {{7, {half, odd, half}, 8}, {0, {odd, odd, half}, 3}}};
+  return {micro(), std::move(solid), {{7, {half, odd, half}, 8}, {0, {odd, odd, half}, 3}}};
 }
 
 // A body of each kind of finding.
@@ -222,8 +222,9 @@ std::map<std::string, Example, std::less<>> examples() {
   const ModelKinds mixed{{false, true, false}};
   std::map<std::string, Example, std::less<>> all;
   const MicroInsideBody inside = micro_inside(valid);
-  all["micro-inside-1"] = {
-      encode(subject, MicroQuantities{}, InsideStatement{}, inside), {inside}, {}};
+  all["micro-inside-1"] = {encode(subject, MicroQuantities{}, InsideStatement{}, inside),
+                           {inside, micro_inside(star_2())},
+                           {}};
   all["mesh-valid-1"] = {encode(subject, Quantities{}, valid), {valid}, {}};
   all["mesh-invalid-1"] = {encode(subject, broken), {broken}, {}};
   valid.num_vertex_ids = 2;  // fewer, so that the bits of ten triangles fill two bytes

@@ -50,6 +50,19 @@ class MicroBridged(support.Folder):
         path.write_text(json.dumps(spline))
         return path
 
+    def test_the_composed_surface_of_sweeps_is_certified_and_has_the_volume_that_is_reported(self):
+        path = self.folder / "surface.vjson"
+        report = self.micro("--bridge", "space", "--emit", path)
+        self.assertEqual((report["tiles"]["kept"], report["bridges"]["built"]), (8, 24))
+        composed = report["composed"]
+        self.assertEqual((composed["patches"], composed["bridges"], composed["bridges_left_out"]), (8 * 30 - 2 * 12 + 4 * 24, 24, []))
+        file = support.only_file(path, timeout=600)
+        self.assertEqual((file["verdict"], file["counts"]["genus"], file["counts"]["shells"]), ("VALID", report["genus"], 1))
+        volume = file["volume"]
+        self.assertLessEqual(volume["lo"], report["volume"]["hi"])
+        self.assertLessEqual(report["volume"]["lo"], volume["hi"])
+        self.assertLess(report["volume"]["hi"] - report["volume"]["lo"], 1e-9 * report["volume"]["lo"])
+
     def test_the_composed_surface_has_the_bridges_and_is_certified(self):
         path = self.folder / "surface.vjson"
         report = self.micro("--emit", path)

@@ -144,7 +144,6 @@ class NearPatches:
         """Is there a node of a level of at most 24, no point of which is farther than the distance from any of these?
         The nearest ones are halved first, MAX_SEARCHED at most."""
         around, todo, count = list(zip(points.x, points.y, points.z)), [(0., 0, self.root)], 0
-        outer = {f(around, key=lambda p, k=k: p[k]) for k in range(3) for f in (min, max)}
         while todo and count < MAX_SEARCHED:
             _, _, node = heappop(todo)
             for kid in halves_of(node, self.parts):
@@ -152,10 +151,9 @@ class NearPatches:
                 if self.pairs > MAX_PAIRS:
                     raise Reject("I4", "too many pairs of nodes")
                 limit = distance - points.slack(max(map(abs, kid.box))) * 2
-                if (distances(outer, kid.box)[0] > distance + 2 * points.error
-                        or kid.level >= 0 and kid.points.error == inf):
+                least, farthest = distances(around, kid.box)
+                if least > distance + 2 * points.error or kid.level >= 0 and kid.points.error == inf:
                     continue
-                _, farthest = distances(around, kid.box)
                 if kid.level >= 0:
                     if farthest <= limit:
                         return True

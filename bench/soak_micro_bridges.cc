@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // bench/soak_micro_bridges.cc: --rounds N --patches N --seed S --kind domain|space. Bridges, or sweeps, from jacks in
-// random cages to the skins of random solids: star-shaped ones with bumps, and tori, of a few thousand facets; and balls,
-// shells, cylinders and tori of patches, turned and stretched. Wrong: a bridge that prove_bridges does not prove, or a
-// sweep that prove_sweeps does not; an exact point of one that is not in the interior of the solid; one of an end face
-// farther from the surface than the skin; one of a sweep that lies in a tile, as far as a fine mesh of the tiles tells; a
-// mesh of the whole that is not VALID with the numbers of the tiles; with patches, a whole that prove_inside does not
-// prove to be inside, within the skin. One JSON line for each kind of solid: caps, bridges, those dropped by reasons, and
-// how many tries with positive determinants got a matrix. Seeds of what is wrong go to standard error.
+// random cages to the skins of random solids: star-shaped ones with bumps, and tori, of a few thousand facets; and
+// balls, shells, cylinders and tori of patches, turned and stretched. Wrong: a bridge that prove_bridges does not
+// prove, or a sweep that prove_sweeps does not; an exact point of one that is not in the interior of the solid; one of
+// an end face farther from the surface than the skin; one of a sweep that lies in a tile, as far as a fine mesh of the
+// tiles tells; a mesh of the whole that is not VALID with the numbers of the tiles; with patches, a whole that
+// prove_inside does not prove to be inside, within the skin. One JSON line for each kind of solid: caps, bridges, those
+// dropped by reasons, and how many tries with positive determinants got a matrix. Seeds of what is wrong go to standard
+// error.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

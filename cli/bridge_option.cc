@@ -38,9 +38,8 @@ std::string BridgeChoice::fault(bool has_model, bool has_skin) const {
 
 void declare_bridge(OptionSet& set, BridgeChoice& choice, std::optional<double>& skin) {
   set.option(
-      "--bridge", "domain|space|none",
-      [c = &choice](const std::string& text) { return take_bridge(text, *c); },
-      "with --model: continue free caps to its surface");
+      "--bridge", "KIND", [c = &choice](const std::string& text) { return take_bridge(text, *c); },
+      "domain, space or none: how free caps reach the model");
   set.option(
       "--alpha", "A", [c = &choice](const std::string& text) { return take_alpha(text, *c); },
       "how far bridges go straight on, in units of the distance");

@@ -48,8 +48,8 @@ class MeetingCollector {
   std::vector<std::vector<FacetMeeting>> of_task_;
 };
 
-/// The pairs among all facets of the mesh, along a Morton curve, as a decision keeps them. REQUIRES the stars and the box
-/// of a valid mesh whose report is not long_thin: otherwise there may be too many pairs for the memory.
+/// The pairs among all facets of the mesh, along a Morton curve, as a decision keeps them. REQUIRES the stars and the
+/// box of a valid mesh whose report is not long_thin: otherwise there may be too many pairs for the memory.
 FacetMeetings find_facet_meetings(const TriangleMesh& mesh, const VertexStars& stars,
                                   const Box3d& box, unsigned jobs, WorkShare* work);
 

@@ -15,9 +15,9 @@ inline constexpr double kAxisRel = 0x1.08p-44, kAxisCubicRel = 0x1.68p-42;
 inline constexpr double kAxisLeastSize = 0x1p-150, kAxisMostSize = 0x1p150;
 }  // namespace internal
 
-/// The code byte (an axis, and 32 for the opposite direction) of the first axis, in the order of docs/certificates/mesh.md section 5, that certainly separates the
-/// facets: d.p < d.q for all corners p of a, q of b, exactly. Nothing if none does so certainly, or if the facets have a
-/// common vertex.
+/// The code byte (an axis, and 32 for the opposite direction) of the first axis, in the order of
+/// docs/certificates/mesh.md section 5, that certainly separates the facets: d.p < d.q for all corners p of a, q of b,
+/// exactly. Nothing if none does so certainly, or if the facets have a common vertex.
 /// @cost approximately 50 ns
 std::optional<std::uint8_t> separating_axis(const TriangleMesh& mesh, std::uint32_t a,
                                             std::uint32_t b);

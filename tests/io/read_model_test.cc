@@ -41,6 +41,7 @@ const std::map<std::string, std::string>& samples() {
       {"gismo", spline_sample("surface.xml")},
       {"vjson", spline_sample("triangles.vjson")},
       {"vmicro", io_test::slurp(test::source_dir() + "/tests/models/micro/three_cells.vmicro")},
+      {"vdms", io_test::slurp(test::source_dir() + "/tests/models/dms/tetrahedron.vdms")},
   };
   return texts;
 }
@@ -68,6 +69,8 @@ bool same_model(const ModelFile& a, const ModelFile& b) {
     return splines->model == std::get<SplineFile>(b).model;
   if (const auto* const micro = std::get_if<MicroFile>(&a))
     return write_micro(micro->micro) == write_micro(std::get<MicroFile>(b).micro);
+  if (const auto* const dms = std::get_if<DmsFile>(&a))
+    return dms->model == std::get<DmsFile>(b).model;
   const TriangleMesh &m = std::get<MeshFile>(a).mesh, &n = std::get<MeshFile>(b).mesh;
   const auto equal = [](const Vec3d& p, const Vec3d& q) {
     return p.x == q.x && p.y == q.y && p.z == q.z;
@@ -105,13 +108,15 @@ TEST(ModelFormats, EveryRowIsCompleteAndNoWordNamesTwoFormats) {
                                SplineFormat::kGismo, SplineFormat::kJson})
     EXPECT_STREQ(model_format(f).name, spline_format_name(f));
   EXPECT_STREQ(model_format(MicroFormat::kMicro).name, "vmicro");
+  EXPECT_STREQ(model_format(DmsFormat::kDms).name, "vdms");
 }
 
 TEST(ModelFormats, NamesAndEndingsAreFoundInAnyCase) {
   for (const ModelFormat& row : model_formats()) {
     EXPECT_EQ(format_from_name(upper(row.name)), &row);
     EXPECT_EQ(format_from_name(row.name, row.kind()), &row);
-    for (const ModelKind kind : {ModelKind::kMesh, ModelKind::kSplines, ModelKind::kMicro})
+    for (const ModelKind kind :
+         {ModelKind::kMesh, ModelKind::kSplines, ModelKind::kMicro, ModelKind::kDms})
       EXPECT_EQ(format_from_name(row.name, kind), kind == row.kind() ? &row : nullptr);
     for (const std::string_view ending : row.endings) {
       EXPECT_EQ(format_from_name(ending), &row);
@@ -128,7 +133,8 @@ TEST(ModelFormats, NamesAndEndingsAreFoundInAnyCase) {
 
 TEST(ModelFormats, ListsNameTheFormatsInTheirOrder) {
   EXPECT_EQ(format_names("or", ModelKind::kMesh), "stl, obj, ply or off");
-  EXPECT_EQ(format_names("and"), "stl, obj, ply, off, itd, g2, mfem, gismo, vjson and vmicro");
+  EXPECT_EQ(format_names("and"),
+            "stl, obj, ply, off, itd, g2, mfem, gismo, vjson, vmicro and vdms");
 }
 
 TEST(ReadModel, TheOptionDecidesThenTheEndingThenTheContent) {
@@ -207,7 +213,7 @@ TEST(ReadModel, TheRefusalOfUnknownContentListsEveryFormat) {
     EXPECT_EQ(code_of(file), "unknown-format") << text;
     EXPECT_EQ(message_of(file),
               "neither the ending of the name nor the content says whether this is stl, obj, ply, "
-              "off, itd, g2, mfem, gismo, vjson or vmicro (--format)");
+              "off, itd, g2, mfem, gismo, vjson, vmicro or vdms (--format)");
   }
 }
 
@@ -241,7 +247,7 @@ TEST(ReadModel, FormatsThatAreNotReadYetAreNamed) {
       EXPECT_EQ(code_of(file), "foreign-format") << f.name;
       EXPECT_EQ(message_of(file), "this is " + f.name +
                                       ": not read yet; the formats that are read are stl, obj, "
-                                      "ply, off, itd, g2, mfem, gismo, vjson and vmicro");
+                                      "ply, off, itd, g2, mfem, gismo, vjson, vmicro and vdms");
     }
   const std::string package = "PK\3\4\x14\0\0\0....[Content_Types].xml...3D/3dmodel.model..."s;
   EXPECT_EQ(message_of(read_as("x.3mf", package)),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/bridge/bridge_clearance_internal.h: does a bridge or a sweep, in space, miss the surface of the solid, and is its
-// end near it? The conditions I1 and I4 of docs/certificates/micro-inside.md, for one bridge. Internal to
+// solids/micro/bridge/bridge_clearance_internal.h: does a bridge or a sweep, in space, miss the surface of the solid,
+// and is its end near it? The conditions I1 and I4 of docs/certificates/micro-inside.md, for one bridge. Internal to
 // solids/micro/bridge.
 #pragma once
 #include <optional>

@@ -96,7 +96,7 @@ class SkinSearch {
     }
   }
 
-  // The same for a small part of the end of a sweep: a bound that is close to the distance of its points.
+  // Neither is it less than that of a small part of the end of a sweep, approximately.
   void raise_to_corner(SweepNodes& sweep) {
     std::uint32_t part = 0;
     for (int level = 0; level < kSampleLevel; ++level) part = sweep.halves_of_part(part).first;

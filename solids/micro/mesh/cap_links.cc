@@ -245,7 +245,7 @@ class LinkFinder {
   const VModel& cage_;
   const std::vector<AnalysedTile>& tiles_;
   CapMatcher matcher_;
-  // By tiles and walls: the rims that are equal for all numbers, of some kinds; nothing if there are none.
+  // By tiles and walls: the rims that are equal for all numbers, where those of some kinds exist.
   NumberTable<std::optional<std::vector<SharedRim>>> shared_for_all_;
   NumberTable<Rims> rims_for_all_;  // by kinds and walls
   std::map<SharedRim, std::uint32_t> known_;

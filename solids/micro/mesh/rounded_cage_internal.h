@@ -24,8 +24,8 @@ class RoundedCage {
 
   /// No coefficient of a cell is farther from the exact one, coordinate by coordinate.
   double coefficient_error() const { return coefficient_error_; }
-  /// The same for values that map_points (mesh_lanes_internal.h) computes from the coefficients, at points of the unit
-  /// cube.
+  /// No value that map_points (mesh_lanes_internal.h) computes from the coefficients, at points of the unit cube, is
+  /// farther from the exact one.
   double value_error() const { return value_error_; }
 
   /// The coefficients of a row of cells (i, j, .), not yet cut along the third axis.

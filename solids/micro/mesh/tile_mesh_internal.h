@@ -53,7 +53,7 @@ class TileMesh {
 
   /// Where a vertex lies in the cell's cube, if its walls have these numbers.
   Box3 position(std::uint32_t vertex, const WallNumbers& numbers) const;
-  /// The same for all vertices, approximate, with a bound of the error.
+  /// Where all vertices lie, approximately, with a bound of the error.
   const PointTable& points() const { return table_; }
 
   /// A patch that needs more parts so that the triangles are those of a surface, also where caps are dropped and rims

@@ -175,7 +175,7 @@ TEST(ReadModel, WhatAFormatWritesItReadsBackTheSame) {
     EXPECT_TRUE(same_model(*file, *again)) << row.name;
     ++written;
   }
-  EXPECT_EQ(written, 8u);
+  EXPECT_EQ(written, 9u);
 }
 
 TEST(ReadModel, TheHashIsThatOfTheBytesForAnyNumberOfJobs) {

@@ -24,7 +24,7 @@ constexpr std::size_t kMostNodes = 2048;  // of a bridge; the page has 4096
 // The page has 2^22 nodes, and 256 more for each bridge.
 constexpr std::size_t kAllSkinNodes = std::size_t{1} << 21, kMoreNodes = 128;
 constexpr int kMostSkinLevel = 22;  // the page has 24
-constexpr int kSampleLevel = 8;     // of a part of a sweep's end that stands for a point
+constexpr int kSampleLevel = 24;    // of a part of a sweep's end that stands for a point
 constexpr double kFirstSkinFactor = 1 + 0x1p-7, kMostSkinFactor = 4;
 
 // A part of the end face of a bridge, or of a sweep.
@@ -49,7 +49,7 @@ class SkinSearch {
   std::optional<std::uint32_t> run() {
     const auto count = static_cast<std::uint32_t>(parts_.micro.num_bridges());
     for (std::uint32_t b = 0; b < count; ++b)
-      sweeps_.empty() ? raise_to_samples(b) : raise_to_corner(sweeps_[b]);
+      sweeps_.empty() ? raise_to_samples(b) : raise_to_corners(sweeps_[b]);
     bound_ *= kFirstSkinFactor;
     for (std::uint32_t b = 0; b < count; ++b) {
       double factor = kFirstSkinFactor;
@@ -96,14 +96,19 @@ class SkinSearch {
     }
   }
 
-  // Neither is it less than that of a small part of the end of a sweep, approximately.
-  void raise_to_corner(SweepNodes& sweep) {
-    std::uint32_t part = 0;
-    for (int level = 0; level < kSampleLevel; ++level) part = sweep.halves_of_part(part).first;
-    std::vector<Box3> points;
-    sweep.end_points(part, &points);
-    const double distance = view_->reach(points, HUGE_VAL, bound_);
-    if (std::isfinite(distance)) bound_ = std::max(bound_, distance);
+  // Neither is it less than that of small parts at the corners of the end of a sweep, approximately.
+  void raise_to_corners(SweepNodes& sweep) {
+    for (int corner = 0; corner < 4; ++corner) {
+      std::uint32_t part = 0;
+      for (int level = 0; level < kSampleLevel; ++level) {
+        const auto [first, second] = sweep.halves_of_part(part);
+        part = (corner >> level % 2 & 1) == 0 ? first : second;
+      }
+      std::vector<Box3> points;
+      sweep.end_points(part, &points);
+      const double distance = view_->reach(points, HUGE_VAL, bound_);
+      if (std::isfinite(distance)) bound_ = std::max(bound_, distance);
+    }
   }
 
   // The points of a part, a list for each span that it meets; false if a weight may be 0.

@@ -2,12 +2,13 @@
 #include "solids/dms/dms_region.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace veritope {
 namespace {
 
-constexpr std::size_t kAxisBits = 6, kMaxPlanes = 64 - kAxisBits;
+constexpr std::size_t kAxisBits = 6;
 
 DmsPoint normal_of(const DmsPoint& a, const DmsPoint& b, const DmsPoint& c) {
   return cross_product(difference(b, a), difference(c, a));
@@ -119,10 +120,13 @@ std::vector<DmsSupport> DmsRegion::supports() {
   return out;
 }
 
-std::optional<std::array<std::uint32_t, 3>> DmsRegion::find_cut(
-    std::span<const DmsSupport> supports) {
+// visit(three) says whether to go on; false if it was not.
+template <typename Visit>
+bool DmsRegion::visit_cuts(std::span<const DmsSupport> supports, Visit visit) {
+  std::set<std::array<std::uint32_t, 3>> seen;
   for (const DmsSupport& support : supports) {
-    const std::vector<std::uint32_t> k = knots_.knots(support);
+    std::vector<std::uint32_t> k = knots_.knots(support);
+    std::sort(k.begin(), k.end());
     for (std::size_t a = 0; a < k.size(); ++a)
       for (std::size_t b = a + 1; b < k.size(); ++b)
         for (std::size_t c = b + 1; c < k.size(); ++c) {
@@ -130,14 +134,34 @@ std::optional<std::array<std::uint32_t, 3>> DmsRegion::find_cut(
           if (is_triangle_ && place(three[0]).height == 0 && place(three[1]).height == 0 &&
               place(three[2]).height == 0)
             continue;
-          if (misses(three)) continue;
+          if (misses(three) || !seen.insert(three).second) continue;
           if (is_zero(normal_of(knots_.point(three[0]), knots_.point(three[1]),
                                 knots_.point(three[2]))))
             continue;
-          if (!misses_triangle(three)) return three;
+          if (!misses_triangle(three) && !visit(three)) return false;
         }
   }
-  return std::nullopt;
+  return true;
+}
+
+std::optional<std::array<std::uint32_t, 3>> DmsRegion::find_cut(
+    std::span<const DmsSupport> supports) {
+  std::optional<std::array<std::uint32_t, 3>> found;
+  visit_cuts(supports, [&](const auto& three) {
+    found = three;
+    return false;
+  });
+  return found;
+}
+
+std::vector<std::array<std::uint32_t, 3>> DmsRegion::find_cuts(
+    std::span<const DmsSupport> supports) {
+  std::vector<std::array<std::uint32_t, 3>> found;
+  visit_cuts(supports, [&](const auto& three) {
+    found.push_back(three);
+    return true;
+  });
+  return found;
 }
 
 }  // namespace veritope

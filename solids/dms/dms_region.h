@@ -23,6 +23,8 @@ struct DmsPlane {
 /// A closed tetrahedron or triangle, with the planes on one side of which it lies, not wholly inside of one.
 class DmsRegion {
  public:
+  static constexpr std::size_t kMaxPlanes = 58;  ///< further ones are left out
+
   /// Planes that do not have the region on one side are left out; those across the axes are always there.
   /// REQUIRES three corners, not on one line, or four, not in one plane.
   DmsRegion(const DmsKnotTable& knots, std::vector<DmsPoint> corners,
@@ -39,6 +41,8 @@ class DmsRegion {
   /// The first three knots of one of the supports, not on one line and, if the region is a triangle, not in its plane,
   /// that may meet the region; nothing if none do.
   std::optional<std::array<std::uint32_t, 3>> find_cut(std::span<const DmsSupport> supports);
+  /// All of them, each once.
+  std::vector<std::array<std::uint32_t, 3>> find_cuts(std::span<const DmsSupport> supports);
 
  private:
   struct Place {
@@ -46,6 +50,8 @@ class DmsRegion {
     int height = 0;           // the sign beside the plane of a triangle
   };
   const Place& place(std::uint32_t knot);
+  template <typename Visit>
+  bool visit_cuts(std::span<const DmsSupport> supports, Visit visit);
 
   const DmsKnotTable& knots_;
   std::vector<DmsPoint> corners_;

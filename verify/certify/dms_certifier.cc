@@ -2,6 +2,7 @@
 #include "verify/certify/dms_certifier.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -12,7 +13,7 @@
 #include "solids/dms/dms_defects.h"
 #include "solids/dms/dms_hulls.h"
 #include "solids/dms/dms_jacobian.h"
-#include "solids/dms/dms_region.h"
+#include "solids/dms/dms_tiles.h"
 #include "solids/dms/dms_values.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/certify_kinds_internal.h"
@@ -26,7 +27,7 @@ namespace {
 
 // B2 of the page.
 constexpr int kMaxCertifiedDegree = 6;
-constexpr std::size_t kMaxCertifiedBits = 256;
+constexpr std::size_t kMaxCertifiedBits = 256, kMaxPointBytes = 128;
 
 std::string text_of(const DmsPoint& p) {
   return "(" + p[0].to_string() + ", " + p[1].to_string() + ", " + p[2].to_string() + ")";
@@ -228,23 +229,25 @@ class DmsCertification {
   }
 
   std::optional<Finding> surface() {
-    const DmsKnotTable knots(model_);
+    auto tiled = tile_boundary(model_, complex_);
+    if (const auto* const open = std::get_if<DmsOpenFace>(&tiled)) {
+      const auto v = complex_.vertices(open->face);
+      return reason("T2: the face (" + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
+                    std::to_string(v[2]) +
+                    ") of the boundary is not cut into parts that no triangle of knots meets");
+    }
     DmsEvaluator evaluator(model_);
     const SimplexInterpolation interpolation(model_.degree, 3);
     std::vector<ExactTriangle> triangles;
-    for (const TetrahedronFace f : complex_.boundary()) {
-      const std::vector<DmsPoint> corners = corners_of_face(f);
-      DmsRegion region(knots, corners, upright_planes(corners));
-      if (region.find_cut(region.supports())) {
-        const auto v = complex_.vertices(f);
-        return reason("T2: knots may cut the face (" + std::to_string(v[0]) + ", " +
-                      std::to_string(v[1]) + ", " + std::to_string(v[2]) + ") of the boundary");
+    for (const auto& tiles : std::get<0>(tiled)) {
+      add_tiles(tiles);
+      for (const DmsTile& tile : tiles) {
+        const auto values = values_at(evaluator, interpolation.points(tile.corners));
+        if (!values) return reason("T3: a point of the boundary is in no tetrahedron");
+        triangles.push_back(triangle_of(model_.degree, interpolation.coefficients(*values)));
       }
-      const auto values = values_at(evaluator, interpolation.points(corners));
-      if (!values) return reason("T3: a point of the boundary is in no tetrahedron");
-      triangles.push_back(triangle_of(model_.degree, interpolation.coefficients(*values)));
-      body_.tiles.emplace_back();
     }
+    if (has_long_points()) return reason("B2: corners of tiles have too many bits", "not-covered");
     facts_.patches = triangles.size();
     auto proved = prove_surface(std::move(triangles), "the surface of the solid");
     if (auto* const finding = std::get_if<Finding>(&proved)) return std::move(*finding);
@@ -259,6 +262,35 @@ class DmsCertification {
     return std::nullopt;
   }
 
+  // A face that is its only tile needs no list.
+  void add_tiles(const std::vector<DmsTile>& tiles) {
+    auto& out = body_.tiles.emplace_back();
+    if (tiles.size() == 1 && tiles[0].planes.empty()) return;
+    for (const DmsTile& tile : tiles) {
+      auto& proof = out.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) proof.points[i] = number_of(tile.corners[i]);
+      proof.planes = proofs_of(tile.planes);
+    }
+  }
+  std::uint64_t number_of(const DmsPoint& p) {
+    if (numbers_.empty())
+      for (const TetrahedronFace f : complex_.boundary())
+        for (const std::uint32_t v : complex_.vertices(f)) numbers_.emplace(model_.knot(v, 0), v);
+    const auto [at, is_new] = numbers_.emplace(p, model_.clouds.size() + body_.points.size());
+    if (is_new) {
+      auto& out = body_.points.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) out[c] = to_fraction(p[c]);
+    }
+    return at->second;
+  }
+  bool has_long_points() const {
+    const auto is_long = [](const certificate::Fraction& x) {
+      return std::max(x.numerator.size(), x.denominator.size()) > kMaxPointBytes;
+    };
+    return std::any_of(body_.points.begin(), body_.points.end(),
+                       [&](const auto& p) { return std::any_of(p.begin(), p.end(), is_long); });
+  }
+
   const DmsModel& model_;
   const certificate::Subject& subject_;
   const CertifyOptions& options_;
@@ -267,6 +299,7 @@ class DmsCertification {
   Certified out_;
   SurfaceProof domain_;
   certificate::DmsBody body_;
+  std::map<DmsPoint, std::uint64_t> numbers_;  // of points of tiles
 };
 
 }  // namespace

@@ -7,9 +7,11 @@ namespace veritope::cli {
 namespace {
 
 std::string take_bridge(const std::string& text, BridgeChoice& choice) {
-  if (text != "domain" && text != "none") return "must be domain or none, not " + text;
+  if (text != "domain" && text != "space" && text != "none")
+    return "must be domain, space or none, not " + text;
   choice.is_given = true;
-  choice.is_wanted = text == "domain";
+  choice.is_wanted = text != "none";
+  choice.are_in_space = text == "space";
   return "";
 }
 
@@ -27,7 +29,8 @@ std::string take_alpha(const std::string& text, BridgeChoice& choice) {
 
 std::string BridgeChoice::fault(bool has_model, bool has_skin) const {
   if (is_given && is_wanted && !has_model)
-    return "--bridge domain needs --model, the solid to whose surface bridges lead";
+    return std::string("--bridge ") + (are_in_space ? "space" : "domain") +
+           " needs --model, the solid to whose surface bridges lead";
   if (!has_alpha && !has_skin) return "";
   if (!is_wanted) return "--alpha and --skin shape bridges, and --bridge none builds none";
   return has_model ? "" : "--alpha and --skin shape bridges, which need --model";
@@ -35,7 +38,7 @@ std::string BridgeChoice::fault(bool has_model, bool has_skin) const {
 
 void declare_bridge(OptionSet& set, BridgeChoice& choice, std::optional<double>& skin) {
   set.option(
-      "--bridge", "domain|none",
+      "--bridge", "domain|space|none",
       [c = &choice](const std::string& text) { return take_bridge(text, *c); },
       "with --model: continue free caps to its surface");
   set.option(

@@ -10,7 +10,7 @@ namespace veritope::cli {
 
 struct BridgeChoice {
   bool is_given = false, has_alpha = false;
-  bool is_wanted = true;
+  bool is_wanted = true, are_in_space = false;
   double alpha = 0.5;
 
   /// Whether an option asks for bridges. Without one they are built where they can be.

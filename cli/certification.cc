@@ -153,7 +153,7 @@ class Certification {
     };
     options.work = &progress_.work();
     if (settings_.inside != nullptr) {
-      options.inside = &settings_.inside->mesh;
+      options.inside = &settings_.inside->file;
       report_.inside = settings_.inside->report;
     }
     Result<Certified> certified = veritope::certify(model_, options);

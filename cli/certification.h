@@ -17,7 +17,7 @@ using namespace report;
 
 /// --model of microstructures: the solid, read once.
 struct InsideModelFile {
-  MeshFile mesh;
+  ModelFile file;  ///< a mesh, or splines
   InsideReport report;
 };
 

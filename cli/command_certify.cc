@@ -232,7 +232,7 @@ Status check_table(const CertifyFilesOptions& options, const OutputPlan& plan) {
   return check_output("--tsv", *options.tsv, options.input.files, plan, options.json);
 }
 
-// Refuses files beside microstructures, and models that are no meshes or that cannot be read twice.
+// Refuses files beside microstructures, and models that cannot be read twice.
 Status check_model(const CertifyFilesOptions& options) {
   if (!options.model) return ok_status();
   if (needs_copy(*options.model))
@@ -252,11 +252,16 @@ Status check_model(const CertifyFilesOptions& options) {
 // Reads the solid.
 Result<InsideModelFile> read_inside_model(const std::string& path, ModelReadOptions reading) {
   reading.format.reset();
-  Result<MeshFile> mesh = read_mesh_file(path, reading);
-  if (!mesh) return mesh.error();
-  InsideModelFile out{std::move(*mesh), {}};
-  out.report = {path, out.mesh.sha256, mesh_format_name(out.mesh.report.format),
-                out.mesh.report.bytes};
+  Result<ModelFile> file = read_model_file(path, reading);
+  if (!file) return file.error();
+  if (std::holds_alternative<MicroFile>(*file)) {
+    Error error{Code::kUnknownFormat, {}, "a microstructure is no solid for --model"};
+    error.place.file = path;
+    return error;
+  }
+  InsideModelFile out{std::move(*file), {}};
+  out.report = {path, sha256_of(out.file), model_format(format_of(out.file)).name,
+                num_bytes(out.file)};
   return out;
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope micro.
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
 #include "cli/commands.h"
+#include "cli/micro_curves.h"
 #include "cli/micro_emit.h"
 #include "cli/micro_options.h"
 #include "cli/micro_solid.h"
@@ -20,7 +22,6 @@
 #include "report/report_text.h"
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
-#include "solids/micro/bridge/build_bridges.h"
 #include "solids/micro/doubled_grids.h"
 #include "solids/micro/measure/cage_scale.h"
 #include "solids/micro/measure/micro_volume.h"
@@ -167,9 +168,6 @@ class MicroRun {
         MicroSolid::read(*options_.model, options_.reading);
     if (!solid) return refuse(solid.error());
     solid_ = std::move(*solid);
-    if (solid_->mesh() == nullptr && options_.bridge.is_asked_for(options_.skin.has_value()))
-      return fail(bad_argument("--bridge, --alpha and --skin: bridges lead to meshes only, and " +
-                               harmless(*options_.model) + " is none"));
     report_.model = MicroRunReport::File{*options_.model, solid_->sha256(), solid_->bytes()};
     if (solid_->fault())
       return refute({"model", {}, {}, {}, *options_.model + ": " + *solid_->fault()},
@@ -295,10 +293,11 @@ class MicroRun {
     if (!solid_) return kExitValid;
     progress_.phase(*options_.model, "filtering tiles");
     Stopwatch watch;
-    const Result<TileFilter> filter = solid_->filter();
+    Result<TileFilter> filter = solid_->filter();
     if (!filter) return refuse(filter.error());
+    filter_.emplace(std::move(*filter));
     Result<std::vector<GridStatus>> found =
-        filter_tiles_to(*filter, static_cast<unsigned>(options_.reading.jobs), micro_);
+        filter_tiles_to(*filter_, static_cast<unsigned>(options_.reading.jobs), micro_);
     if (!found) return refuse(found.error());
     statuses_ = std::move(*found);
     std::array<std::uint64_t, 5> counts{};
@@ -350,18 +349,36 @@ class MicroRun {
   }
 
   ExitCode build() {
-    const TriangleMesh* const mesh = solid_ ? solid_->mesh() : nullptr;
-    if (mesh == nullptr || !options_.bridge.is_wanted || options_.nest || is_open())
-      return kExitValid;
+    if (is_open()) return build_of_curves();
+    if (!solid_ || !options_.bridge.is_wanted || options_.nest) return kExitValid;
     progress_.phase(*options_.model, "building bridges");
     Stopwatch watch;
-    BridgeOptions how;
-    how.alpha = options_.bridge.alpha;
-    how.skin = options_.skin ? *options_.skin : default_skin(*mesh);
-    how.jobs = static_cast<unsigned>(options_.reading.jobs);
-    Result<BridgeReport> built = build_bridges(*mesh, *model_, tiles_, how, micro_);
+    Result<BridgeReport> built =
+        solid_->bridge(*model_, tiles_, bridge_options(solid_->default_skin()),
+                       options_.bridge.are_in_space, micro_);
     if (!built) return refuse(built.error());
     report_.bridges = std::move(*built);
+    report_.seconds.bridge = watch.lap();
+    return kExitValid;
+  }
+
+  BridgeOptions bridge_options(double default_skin) const {
+    BridgeOptions out;
+    out.alpha = options_.bridge.alpha;
+    out.skin = options_.skin ? *options_.skin : default_skin;
+    out.jobs = static_cast<unsigned>(options_.reading.jobs);
+    return out;
+  }
+  // From the free ends of curves; sheets have none.
+  ExitCode build_of_curves() {
+    if (!solid_ || !options_.bridge.is_wanted || !has_curves(micro_)) return kExitValid;
+    progress_.phase(*options_.model, "building bridges");
+    Stopwatch watch;
+    Result<CurveBridges> built =
+        bridge_curves(*solid_, *filter_, micro_, bridge_options(solid_->default_skin()));
+    if (!built) return refuse(built.error());
+    report_.bridges = std::move(built->report);
+    curve_bridges_ = std::move(built->bridges);
     report_.seconds.bridge = watch.lap();
     return kExitValid;
   }
@@ -416,10 +433,14 @@ class MicroRun {
     progress_.phase(*options_.output, "measuring");
     Stopwatch watch;
     if (const auto v = volume_of(micro_, *model_, static_cast<unsigned>(options_.reading.jobs))) {
-      report_.volume = bounds_of(v->tiles);
-      report_.density = bounds_of(v->density);
+      report_.volume = bounds_of(v->solid);
+      if (std::isfinite(v->density.hi())) report_.density = bounds_of(v->density);
     }
     if (const auto s = scale_of(micro_, *model_)) report_.scale = {s->lo, s->hi};
+    if (solid_ && (options_.json || options_.output != "-")) {
+      const auto c = solid_->clearance_of(micro_, static_cast<unsigned>(options_.reading.jobs));
+      if (c && *c) report_.clearance = {(*c)->lo, (*c)->hi};
+    }
     report_.seconds.measure = watch.lap();
     return kExitValid;
   }
@@ -489,14 +510,16 @@ class MicroRun {
     Result<StreamedOutput> output = StreamedOutput::open(*options_.emit);
     if (!output) return fail(output.error());
     emitted_.emplace(std::move(*output));
-    if (const Status made =
-            emit_surface(*surface, static_cast<unsigned>(options_.reading.jobs), *emitted_);
+    if (const Status made = emit_surface(*surface, micro_, curve_bridges_,
+                                         static_cast<unsigned>(options_.reading.jobs), *emitted_);
         !made)
       return refuse(made.error());
     report_.composed =
         MicroRunReport::Composed{{*options_.emit, emitted_->sha256(), emitted_->num_bytes()},
                                  surface->num_patches(),
-                                 surface->num_curves()};
+                                 surface->num_curves(),
+                                 micro_.num_bridges() - surface->bridges_left_out().size(),
+                                 surface->bridges_left_out()};
     report_.seconds.compose = watch.lap();
     return kExitValid;
   }
@@ -574,7 +597,9 @@ class MicroRun {
   std::optional<TileChoice> nested_tile_;
   Microstructure micro_;
   std::vector<AnalysedTile> tiles_;
+  std::optional<TileFilter> filter_;
   std::vector<GridStatus> statuses_;
+  std::vector<CurveBridge> curve_bridges_;
   std::vector<std::vector<std::uint64_t>> floating_;  // cells, by grids
   std::string mesh_bytes_;
   std::optional<StreamedOutput> emitted_;

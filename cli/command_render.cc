@@ -97,7 +97,7 @@ void declare(OptionSet& set, RenderOptions& o) {
       "--explode", "K", [&o](const std::string& t) { return take_factor(t, o.explode); },
       "volumes: move cells apart, by K times their offset (0)");
   set.flag("--nets", o.nets, "draw control nets of volumes, the cage of tiles");
-  set.length("--chord", "H", o.chord, "volumes: the distance of chords to aim at");
+  set.length("--chord", "H", o.chord, "volumes, curves: the distance of chords to aim at");
   set.option(
       "--size", "W,H", [&o](const std::string& t) { return take_size(t, o.size); },
       "pixels (1200,900)");
@@ -109,7 +109,7 @@ void declare(OptionSet& set, RenderOptions& o) {
   set.option(
       "--bounds", "BOX", [&o](const std::string& t) { return take_box(t, o.bounds); },
       "X0,Y0,Z0,X1,Y1,Z1: this box only (MODEL's box)");
-  set.text("--around", o.around, "microstructures: draw this mesh around them");
+  set.text("--around", o.around, "microstructures, curves: draw this mesh around them");
   declare_json(set, o.json, "write the counts");
   declare_jobs(set, o.jobs);
   set.flag("--no-check", o.no_check, "do not run veritope-check");
@@ -159,10 +159,14 @@ class RenderRun {
   ExitCode run() {
     if (const Status status = check_outputs(); !status) return fail(status.error());
     const ModelReadOptions how = reading();
-    if (ModelInput input(path(), how); input.kind() == ModelKind::kMicro) return draw_micro(input);
-    if (options_.around)
-      return fail(
-          bad_argument("--around is for microstructures; " + harmless(path()) + " is none"));
+    ModelKind kind;
+    {
+      ModelInput input(path(), how);
+      kind = input.kind();
+      if (kind == ModelKind::kMicro) return draw_micro(input);
+    }
+    if (options_.around && (kind != ModelKind::kSplines || options_.bounds || options_.grid != 0))
+      return refuse_around();
     const bool is_chain = is_chain_file(path());
     if (is_chain && (kind_ != ViewKind::kPng || !cell_option(options_).empty()))
       return fail(
@@ -171,7 +175,8 @@ class RenderRun {
                             : cell_option(options_) + " is for files of volumes; " +
                                   harmless(path()) + " is an expression")));
     if (!is_chain && !options_.bounds && options_.grid == 0)
-      if (const std::optional<ExitCode> exit = draw_if_cells()) return *exit;
+      if (const std::optional<ExitCode> exit = draw_if_cells_or_curves()) return *exit;
+    if (options_.around) return refuse_around();
     std::string checker;
     if (!options_.no_check) {
       const Result<std::string> found = find_checker();
@@ -236,8 +241,15 @@ class RenderRun {
     return look;
   }
 
-  // Nothing: MODEL is no file of volumes in space, or it cannot be read, and no option is for such files only.
-  std::optional<ExitCode> draw_if_cells() {
+  ExitCode refuse_around() {
+    progress_.clear();
+    return fail(bad_argument("--around is for microstructures and curves, and " + harmless(path()) +
+                             " has none"));
+  }
+
+  // Nothing: MODEL is no file of volumes or curves in space, or it cannot be read, and no option is for such files
+  // only.
+  std::optional<ExitCode> draw_if_cells_or_curves() {
     progress_.phase(shown_path(path()), "reading");
     const ModelReadOptions how = reading();
     ModelInput input(path(), how);
@@ -251,7 +263,11 @@ class RenderRun {
     const Status is_cells =
         file == nullptr ? Status(bad_argument(std::string("it is ") + title_of(kind_of(*model))))
                         : check_is_cells(*file);
+    if (is_cells && options_.around) return refuse_around();
     if (is_cells) return draw_cells(*file);
+    const bool may_be_curves = file != nullptr && (option.empty() || option == "--chord");
+    if (may_be_curves && check_is_read(*file) && counts_of_curves(file->model))
+      return draw_curves(*file);
     if (option.empty()) return std::nullopt;
     progress_.clear();
     complain(harmless(option + " is for files of volumes in space; " + shown_path(path()) + ": " +
@@ -274,13 +290,9 @@ class RenderRun {
     const MicroFile& file = std::get<MicroFile>(*model);
     MicroViewOptions how;
     how.has_cage = options_.nets;
-    std::optional<MeshFile> around;
-    if (options_.around) {
-      Result<MeshFile> read = read_mesh_file(*options_.around, reading());
-      if (!read) return refuse_as_unreadable(read.error());
-      around = std::move(*read);
-      how.model = &around->mesh;
-    }
+    const Result<std::optional<MeshFile>> around = read_around();
+    if (!around) return refuse_as_unreadable(around.error());
+    if (*around) how.model = &(*around)->mesh;
     report_.path = path();
     report_.sha256 = file.sha256;
     report_.seconds_read = watch_.lap();
@@ -291,7 +303,7 @@ class RenderRun {
     MicroPicture& picture = report_.micro.emplace();
     picture.has_cage = options_.nets;
     picture.around = options_.around;
-    picture.bridges = file.micro.bridges.size();
+    picture.bridges = file.micro.num_bridges();
     for (const MicroGrid& grid : file.micro.grids)
       for (const std::uint8_t t : grid.tiles) picture.tiles += t != 0;
     set_bounds(*view);
@@ -303,12 +315,24 @@ class RenderRun {
                            Rational::from_double(view.box.hi[k])};
   }
 
-  static Status check_is_cells(const SplineFile& file) {
+  // The mesh to be drawn around the model, if there is one.
+  Result<std::optional<MeshFile>> read_around() const {
+    if (!options_.around) return std::optional<MeshFile>();
+    Result<MeshFile> read = read_mesh_file(*options_.around, reading());
+    if (!read) return read.error();
+    return std::optional(std::move(*read));
+  }
+
+  static Status check_is_read(const SplineFile& file) {
     for (const LeftOut& l : file.left_out)
       if (l.is_geometry)
         return bad_argument("shapes of the file are not read: " + l.what + " (" +
                             std::to_string(l.count) + ")");
-    return check_is_volumes(file.model);
+    return ok_status();
+  }
+  static Status check_is_cells(const SplineFile& file) {
+    const Status is_read = check_is_read(file);
+    return is_read ? check_is_volumes(file.model) : is_read;
   }
 
   ExitCode refuse_as_unreadable(const Error& error) {
@@ -331,6 +355,26 @@ class RenderRun {
     progress_.clear();
     if (!view) return refuse(view.error());
     report_.cells = CellPicture{file.model.entities.size(), factor.to_string(), options_.nets};
+    set_bounds(*view);
+    return write(*view);
+  }
+
+  // Curves, with sheets beside them, are drawn as they are in the file, without a verdict.
+  ExitCode draw_curves(const SplineFile& file) {
+    CurveViewOptions how;
+    how.chord = options_.chord;
+    const Result<std::optional<MeshFile>> around = read_around();
+    if (!around) return refuse_as_unreadable(around.error());
+    if (*around) how.model = &(*around)->mesh;
+    report_.path = path();
+    report_.sha256 = file.sha256;
+    report_.seconds_read = watch_.lap();
+    progress_.phase(shown_path(path()), "drawing");
+    const Result<ModelView> view = view_of_curves(file.model, how, kind_, picture_options());
+    progress_.clear();
+    if (!view) return refuse(view.error());
+    const CurveCounts counts = counts_of_curves(file.model).value();
+    report_.curves = CurvePicture{counts.curves, counts.sheets, counts.bridges, options_.around};
     set_bounds(*view);
     return write(*view);
   }

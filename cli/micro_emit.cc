@@ -39,29 +39,45 @@ BezierCurve<Rational> curve_of(const BezierSurface<Rational>& s) {
   return {{s.degree(0)}, s.num_components(), s.is_rational(), {all.begin(), all.end()}};
 }
 
-Status emit_splines(const ComposedSurface& surface, SplineFormat format, unsigned jobs,
-                    StreamedOutput& output) {
-  const SplineStream stream(format);
+// The degrees of a bridge are those of a curve: (2, 0).
+BezierSurface<Rational> surface_of(const CurveBridge& bridge) {
+  BezierSurface<Rational> out({static_cast<int>(bridge.points.size()) - 1, 0}, 3, false);
+  for (std::size_t i = 0; i < bridge.points.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) out.component(static_cast<int>(c))[i] = bridge.points[i][c];
+  return out;
+}
+Status emit_splines(const ComposedSurface& surface, const std::vector<CurveBridge>& bridges,
+                    SplineFormat format, unsigned jobs, StreamedOutput& output) {
+  std::vector<SplineGroup> groups;
+  if (!bridges.empty()) groups.push_back({"bridges", {}, std::nullopt});
+  const SplineStream stream(format, groups);
   if (Status status = output.write(stream.begin()); !status) return status;
   bool is_first = true;
+  const auto write_part = [&](const std::string& text) {
+    if (text.empty()) return ok_status();
+    if (!std::exchange(is_first, false))
+      if (Status between = output.write(stream.separator()); !between) return between;
+    return output.write(text);
+  };
   Status status = in_rounds<std::string>(
       surface.cells().size(), jobs,
       [&](std::size_t begin, std::size_t end) {
-        SplineModel model;
+        std::vector<SplineEntity> entities;
         for (auto& patches : surface.compose(begin, end))
           for (ComposedPatch& p : patches)
             if (p.surface.degree(1) == 0)
-              model.entities.push_back({to_bspline(curve_of(p.surface)), {}, std::nullopt, {}});
+              entities.push_back({to_bspline(curve_of(p.surface)), {}, std::nullopt, {}});
             else
-              model.entities.push_back({to_bspline(p.surface), {}, std::nullopt, {}});
-        return model.entities.empty() ? std::string() : stream.part(model);
+              entities.push_back({to_bspline(p.surface), {}, std::nullopt, {}});
+        return entities.empty() ? std::string() : stream.part(std::move(entities));
       },
-      [&](const std::string& text) {
-        if (text.empty()) return ok_status();
-        if (!std::exchange(is_first, false))
-          if (Status between = output.write(stream.separator()); !between) return between;
-        return output.write(text);
-      });
+      write_part);
+  if (status && !bridges.empty()) {
+    std::vector<SplineEntity> entities;
+    for (const CurveBridge& b : bridges)
+      entities.push_back({to_bspline(curve_of(surface_of(b))), {}, 0, {}});
+    status = write_part(stream.part(std::move(entities)));
+  }
   return status ? output.write(stream.end()) : status;
 }
 
@@ -76,14 +92,28 @@ MadePart part_of(const ComposedSurface& surface, std::size_t begin, std::size_t 
     const ComposedCell& cell = surface.cells()[n];
     for (const ComposedPatch& p : composed[n - begin])
       if (out.status)
-        out.status = out.part.add(
-            p.surface, {cell.grid, static_cast<std::int64_t>(cell.cell), cell.tile, p.patch});
+        out.status =
+            out.part.add(p.surface, {cell.grid, static_cast<std::int64_t>(cell.cell), cell.tile,
+                                     p.bridge ? std::int64_t{*p.bridge} : -1, p.patch});
   }
   return out;
 }
-Status emit_cells(const ComposedSurface& surface, unsigned jobs, StreamedOutput& output) {
-  PatchCells cells({"grid", "cell", "tile", "patch"});
-  Status status = output.write(PatchCells::begin(surface.num_points(), surface.num_patches()));
+MadePart part_of(const Microstructure& micro, const std::vector<CurveBridge>& bridges) {
+  MadePart out;
+  for (std::size_t n = 0; n < bridges.size() && out.status; ++n) {
+    const CurveBridge& b = bridges[n];
+    out.status = out.part.add(surface_of(b), {b.end.grid, static_cast<std::int64_t>(b.end.cell),
+                                              micro.grids[b.end.grid].tiles[b.end.cell] - 1,
+                                              static_cast<std::int64_t>(n), 0});
+  }
+  return out;
+}
+Status emit_cells(const ComposedSurface& surface, const Microstructure& micro,
+                  const std::vector<CurveBridge>& bridges, unsigned jobs, StreamedOutput& output) {
+  PatchCells cells({"grid", "cell", "tile", "bridge", "patch"});
+  const std::size_t bridge_points = 3 * bridges.size();
+  Status status = output.write(PatchCells::begin(surface.num_points() + bridge_points,
+                                                 surface.num_patches() + bridges.size()));
   if (status)
     status = in_rounds<MadePart>(
         surface.cells().size(), jobs,
@@ -91,6 +121,10 @@ Status emit_cells(const ComposedSurface& surface, unsigned jobs, StreamedOutput&
         [&](MadePart made) {
           return made.status ? output.write(cells.take(std::move(made.part))) : made.status;
         });
+  if (status && !bridges.empty()) {
+    MadePart made = part_of(micro, bridges);
+    status = made.status ? output.write(cells.take(std::move(made.part))) : made.status;
+  }
   if (!status) return status;
   return cells.end([&](std::string_view text) { return output.write(text); });
 }
@@ -103,9 +137,11 @@ std::string fault_of_emit_name(const std::string& path) {
   return "the name " + path + " ends in no format for composed surfaces: .vjson, .itd or .vtu";
 }
 
-Status emit_surface(const ComposedSurface& surface, unsigned jobs, StreamedOutput& output) {
-  if (output.path().ends_with(".vtu")) return emit_cells(surface, jobs, output);
-  return emit_splines(surface,
+Status emit_surface(const ComposedSurface& surface, const Microstructure& micro,
+                    const std::vector<CurveBridge>& bridges, unsigned jobs,
+                    StreamedOutput& output) {
+  if (output.path().ends_with(".vtu")) return emit_cells(surface, micro, bridges, jobs, output);
+  return emit_splines(surface, bridges,
                       output.path().ends_with(".itd") ? SplineFormat::kItd : SplineFormat::kJson,
                       jobs, output);
 }

@@ -52,7 +52,7 @@ std::string fault_of_nest(const std::vector<TileChoice>& tiles, bool is_doubled,
   if (!are_jacks) return "--nest needs outer tiles that are made of volumes: jacks and branches";
   if (is_doubled) return "--nest and --double exclude each other";
   if (asks_for_bridges)
-    return "--nest builds no bridges: it excludes --bridge domain, --alpha and --skin";
+    return "--nest builds no bridges: it excludes --bridge domain and space, --alpha and --skin";
   return "";
 }
 

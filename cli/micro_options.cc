@@ -65,8 +65,10 @@ std::string fault_of_open_tiles(const MicroOptions& o) {
   if (o.mesh) return "--mesh needs closed tiles, and -o";
   if (!o.materials.empty()) return "--material needs closed tiles, and -o";
   if (o.wants_connected) return "--connected needs closed tiles, and -o";
-  if (o.bridge.is_asked_for(o.skin.has_value()))
-    return "--bridge, --alpha and --skin need closed tiles, and -o";
+  if (o.bridge.is_asked_for(o.skin.has_value()) && !o.tiles.empty() &&
+      std::all_of(o.tiles.begin(), o.tiles.end(),
+                  [](const TileChoice& t) { return std::holds_alternative<JackSheets>(t); }))
+    return "--bridge, --alpha and --skin need closed tiles or curves: sheets get no bridges";
   return "";
 }
 

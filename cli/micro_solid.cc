@@ -6,6 +6,7 @@
 #include "io/read_model.h"
 #include "report/decimal_text.h"
 #include "report/report_text.h"
+#include "solids/micro/bridge/curve_bridges.h"
 #include "solids/micro/synthesis/cage_around.h"
 #include "verify/certify/certify.h"
 #include "verify/certify/stand_in.h"
@@ -55,6 +56,26 @@ Status MicroSolid::decide(unsigned jobs) {
 Result<TileFilter> MicroSolid::filter() const {
   if (const auto* const mesh = std::get_if<MeshFile>(&file_)) return TileFilter::make(mesh->mesh);
   return TileFilter::make(*patches_.complex);
+}
+
+double MicroSolid::default_skin() const {
+  return mesh() != nullptr ? veritope::default_skin(*mesh()) : veritope::default_skin(*complex());
+}
+
+Result<std::optional<Clearance>> MicroSolid::clearance_of(const Microstructure& micro,
+                                                          unsigned jobs) const {
+  if (mesh() != nullptr) return veritope::clearance_of(micro, *mesh(), jobs);
+  return veritope::clearance_of(micro, *complex(), jobs);
+}
+
+Result<BridgeReport> MicroSolid::bridge(const VModel& cage, const std::vector<AnalysedTile>& tiles,
+                                        const BridgeOptions& options, bool in_space,
+                                        Microstructure& micro) const {
+  const auto build = [&](const auto& solid) {
+    return in_space ? build_sweeps(solid, cage, tiles, options, micro)
+                    : build_bridges(solid, cage, tiles, options, micro);
+  };
+  return mesh() != nullptr ? build(*mesh()) : build(*complex());
 }
 
 Result<std::optional<MicroSolid::Escape>> MicroSolid::escape_from(const VModel& cage) const {

@@ -5,11 +5,15 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/model_file.h"
 #include "robust/base/result.h"
 #include "solids/base/verdict.h"
+#include "solids/micro/bridge/build_bridges.h"
+#include "solids/micro/bridge/build_sweeps.h"
 #include "solids/micro/filter/tile_filter.h"
+#include "solids/micro/inside/clearance.h"
 #include "solids/vmodel/v_model.h"
 #include "verify/certify/file_patches.h"
 
@@ -36,8 +40,21 @@ class MicroSolid {
   /// Whether the fault is that something was not decided, and not a defect of the solid.
   bool is_undecided() const { return is_open_; }
 
+  /// Null unless the file holds splines. REQUIRES !fault().
+  const PatchComplex* complex() const { return patches_.complex.get(); }
+
   /// REQUIRES !fault().
   Result<TileFilter> filter() const;
+  /// How near to the surface bridges end unless an option says so. REQUIRES !fault().
+  double default_skin() const;
+
+  /// How far the tiles are from the surface. REQUIRES !fault(), and as veritope::clearance_of.
+  /// @error as veritope::clearance_of
+  Result<std::optional<Clearance>> clearance_of(const Microstructure& micro, unsigned jobs) const;
+  /// See build_bridges and build_sweeps. REQUIRES !fault().
+  Result<BridgeReport> bridge(const VModel& cage, const std::vector<AnalysedTile>& tiles,
+                              const BridgeOptions& options, bool in_space,
+                              Microstructure& micro) const;
 
   struct Escape {
     std::string message;              ///< "triangle 5 does not lie inside of the cage: ..."

@@ -71,6 +71,26 @@ Result<std::string> mesh_view(const TriangleMesh& mesh, ViewKind kind) {
   return parts_gltf(parts);
 }
 
+// The view with the bytes of the scene. REQUIRES a kind other than kObj.
+Result<ModelView> with_scene(ModelView out, const Scene& scene, ViewKind kind,
+                             const PictureOptions& look) {
+  Result<std::string> bytes = bad_argument("");
+  if (kind == ViewKind::kVtu) {
+    bytes = scene_vtu(scene);
+  } else if (kind == ViewKind::kGltf) {
+    bytes = scene_gltf(scene);
+  } else if (Result<Image> image = draw_scene(scene, look); image) {
+    bytes = png_bytes(*image);
+  } else {
+    return image.error();
+  }
+  if (!bytes) return bytes.error();
+  const bool is_empty = scene.surfaces.empty() && scene.lines.empty();
+  if (!is_empty) out.box = box_of(scene);
+  out.bytes = std::move(*bytes);
+  return out;
+}
+
 }  // namespace
 
 std::optional<ViewKind> view_kind(const std::string& path) {
@@ -118,29 +138,31 @@ Result<ModelView> view_of_micro(const Microstructure& micro, const MicroViewOpti
     for (const std::uint8_t t : grid.tiles) tiles += t != 0;
   ModelView out;
   out.content = counted(tiles, "tile", "tiles");
-  if (!micro.bridges.empty())
-    out.content += ", " + counted(micro.bridges.size(), "bridge", "bridges");
+  if (micro.num_bridges() != 0)
+    out.content += ", " + counted(micro.num_bridges(), "bridge", "bridges");
   if (kind != ViewKind::kPng) out.content += ", " + content_of(*parts);
   if (kind == ViewKind::kObj) {
     out.bytes = parts_obj(*parts);
     return out;
   }
-  const Scene scene = micro_scene(std::move(*parts));
-  Result<std::string> bytes = bad_argument("");
-  if (kind == ViewKind::kVtu) {
-    bytes = scene_vtu(scene);
-  } else if (kind == ViewKind::kGltf) {
-    bytes = scene_gltf(scene);
-  } else if (Result<Image> image = draw_scene(scene, look); image) {
-    bytes = png_bytes(*image);
-  } else {
-    return image.error();
+  return with_scene(std::move(out), micro_scene(std::move(*parts)), kind, look);
+}
+
+Result<ModelView> view_of_curves(const SplineModel& model, const CurveViewOptions& options,
+                                 ViewKind kind, const PictureOptions& look) {
+  Result<std::vector<ViewPart>> parts = curve_parts(model, options);
+  if (!parts) return parts.error();
+  const CurveCounts counts = counts_of_curves(model).value();
+  ModelView out;
+  out.content = counted(counts.curves, "curve", "curves");
+  if (counts.sheets != 0) out.content += ", " + counted(counts.sheets, "sheet", "sheets");
+  if (counts.bridges != 0) out.content += ", " + counted(counts.bridges, "bridge", "bridges");
+  if (kind == ViewKind::kObj) {
+    out.bytes = parts_obj(*parts);
+    return out;
   }
-  if (!bytes) return bytes.error();
-  const bool is_empty = scene.surfaces.empty() && scene.lines.empty();
-  if (!is_empty) out.box = box_of(scene);
-  out.bytes = std::move(*bytes);
-  return out;
+  return with_scene(std::move(out), curve_scene(std::move(*parts), counts.curves + counts.bridges),
+                    kind, look);
 }
 
 Result<ModelView> view_of_solid(const ModelFile& model, ViewKind kind) {

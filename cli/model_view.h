@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/model_file.h"
+#include "render/curve_view.h"
 #include "render/draw_scene.h"
 #include "render/micro_view.h"
 #include "render/spline_view.h"
@@ -26,6 +27,11 @@ struct ModelView {
 /// @error as check_is_volumes, volume_layout, volume_parts, volume_vtu and draw_scene
 Result<ModelView> view_of_cells(const SplineModel& model, const VolumeViewOptions& options,
                                 ViewKind kind, const PictureOptions& look);
+
+/// @error as curve_parts, draw_scene and the files for viewers
+/// REQUIRES counts_of_curves(model).
+Result<ModelView> view_of_curves(const SplineModel& model, const CurveViewOptions& options,
+                                 ViewKind kind, const PictureOptions& look);
 
 /// @error as micro_parts, draw_scene and the files for viewers
 Result<ModelView> view_of_micro(const Microstructure& micro, const MicroViewOptions& options,

@@ -11,11 +11,9 @@
 namespace veritope {
 namespace {
 
-constexpr Colour kTileColour{86, 160, 84}, kBridgedTileColour{226, 186, 60},
-    kBridgeColour{58, 108, 190}, kCageColour{200, 40, 40}, kAroundColour{150, 155, 165};
+constexpr Colour kBridgedTileColour{226, 186, 60}, kCageColour{200, 40, 40};
 constexpr std::size_t kCageEdgeParts = 48;
 constexpr double kCageWidth = 2;
-constexpr std::uint8_t kAroundOpacity = 60;
 
 using Net = std::vector<Point3d>;
 
@@ -96,6 +94,7 @@ class MicroPainter {
     parts_ = {named("tiles", kTileColour), named("bridged_tiles", kBridgedTileColour),
               named("bridges", kBridgeColour)};
     auto bridge = micro_.bridges.begin();
+    auto sweep = micro_.sweeps.begin();
     for (std::uint32_t g = 0; g < micro_.grids.size(); ++g) {
       const MicroGrid& grid = micro_.grids[g];
       for (std::uint64_t c = 0; c < grid.tiles.size(); ++c) {
@@ -104,12 +103,16 @@ class MicroPainter {
         for (; bridge != micro_.bridges.end() && bridge->cap.grid == g && bridge->cap.cell == c;
              ++bridge)
           bridged |= 1U << bridge->cap.wall;
+        for (; sweep != micro_.sweeps.end() && sweep->cap.grid == g && sweep->cap.cell == c;
+             ++sweep)
+          bridged |= 1U << sweep->cap.wall;
         draw_tile(g, c, bridged);
       }
     }
     for (const MicroBridge& b : micro_.bridges) draw_bridge(b);
+    for (const MicroSweep& s : micro_.sweeps) draw_sweep(s);
     std::erase_if(parts_, [](const ViewPart& part) { return part.triangles.empty(); });
-    if (options_.model != nullptr) add_model();
+    if (options_.model != nullptr) parts_.push_back(part_around(*options_.model));
     if (options_.has_cage) add_cage();
     return std::move(parts_);
   }
@@ -131,7 +134,7 @@ class MicroPainter {
       for (const std::uint8_t t : grid.tiles)
         if (t != 0) ++used[t - 1U];
     for (num_parts_ = std::max<std::size_t>(2, options_.parts);; --num_parts_) {
-      std::uint64_t triangles = 10 * micro_.bridges.size() * num_parts_ * num_parts_;
+      std::uint64_t triangles = 10 * micro_.num_bridges() * num_parts_ * num_parts_;
       for (std::size_t k = 0; k < used.size(); ++k)
         for (const TilePatch& patch : micro_.tiles[k].patches)
           triangles += 2 * used[k] * parts_of(patch.degrees) * parts_of(patch.degrees);
@@ -157,19 +160,21 @@ class MicroPainter {
     const std::size_t k = grid.tiles[cell] - std::size_t{1};
     const std::array<std::size_t, 3> at = grid.shape().index_of(cell);
     const WallNumbers numbers = grid.numbers_of(at);
-    Point3d lo{}, hi{};
-    for (std::size_t a = 0; a < 3; ++a) {
-      lo[a] = nearest_double(grid.breaks[a][at[a]]);
-      hi[a] = nearest_double(grid.breaks[a][at[a] + 1]);
-    }
     for (std::size_t s = 0; s < micro_.tiles[k].patches.size(); ++s) {
       const TilePatch& patch = micro_.tiles[k].patches[s];
       const std::optional<int>& wall = walls_[k][s];
       if (wall && ((bridged >> *wall & 1) != 0 || is_hidden(grid, at, *wall))) continue;
       std::vector<Point3d> points = samples_of(k, s, number_of(patch, numbers));
-      for (Point3d& p : points)
-        for (std::size_t a = 0; a < 3; ++a) p[a] = lo[a] * (1 - p[a]) + hi[a] * p[a];
+      bring_to_cell(grid, at, points);
       add(parts_[bridged != 0 ? 1 : 0], grid.volume, points, parts_of(patch.degrees));
+    }
+  }
+  static void bring_to_cell(const MicroGrid& grid, const std::array<std::size_t, 3>& at,
+                            std::vector<Point3d>& points) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double lo = nearest_double(grid.breaks[a][at[a]]),
+                   hi = nearest_double(grid.breaks[a][at[a] + 1]);
+      for (Point3d& p : points) p[a] = lo * (1 - p[a]) + hi * p[a];
     }
   }
   const std::vector<Point3d>& samples_of(std::size_t tile, std::size_t patch, std::int32_t number) {
@@ -201,6 +206,42 @@ class MicroPainter {
     face(p, q, [&](int i, int j) { return b.at(i, j, kBridgeAxisDegree); });
   }
 
+  // Each patch in the wall, moved along the curve: four sides and the end, with normals as those of bridges.
+  void draw_sweep(const MicroSweep& s) {
+    const MicroGrid& grid = micro_.grids[s.cap.grid];
+    const auto at = grid.shape().index_of(s.cap.cell);
+    const std::size_t k = grid.tiles[s.cap.cell] - std::size_t{1};
+    const Net axis = rounded_points({s.axis.begin(), s.axis.end()});
+    for (std::size_t n = 0; n < micro_.tiles[k].patches.size(); ++n) {
+      if (walls_[k][n] != s.cap.wall) continue;
+      const TilePatch& patch = micro_.tiles[k].patches[n];
+      Net points = sampled(rounded_points(points_at(patch, number_of(patch, grid.numbers_of(at)))),
+                           patch.degrees[0], patch.degrees[1], num_parts_);
+      bring_to_cell(grid, at, points);
+      draw_moved(mapped(grid.volume, points), axis);
+    }
+  }
+  void draw_moved(const Net& cap, const Net& axis) {
+    const std::size_t last = num_parts_, m = last + 1;
+    const auto point = [&](std::size_t i, std::size_t j, std::size_t step) {
+      const double w = static_cast<double>(step) / static_cast<double>(last);
+      Point3d p = cap[i * m + j];
+      for (std::size_t c = 0; c < 3; ++c) p[c] += 2 * w * (1 - w) * axis[0][c] + w * w * axis[1][c];
+      return p;
+    };
+    const auto face = [&](auto at) {
+      Net image;
+      for (std::size_t i = 0; i < m; ++i)
+        for (std::size_t j = 0; j < m; ++j) image.push_back(at(i, j));
+      add_image(parts_[2], image, last);
+    };
+    face([&](std::size_t l, std::size_t j) { return point(0, j, l); });
+    face([&](std::size_t j, std::size_t l) { return point(last, j, l); });
+    face([&](std::size_t i, std::size_t l) { return point(i, 0, l); });
+    face([&](std::size_t l, std::size_t i) { return point(i, last, l); });
+    face([&](std::size_t i, std::size_t j) { return point(i, j, last); });
+  }
+
   // Maps points to space. A parameter that was rounded out of the domain is moved back.
   std::vector<Point3d> mapped(std::uint32_t volume, const std::vector<Point3d>& points) const {
     const FastSpline<3>& map = maps_[volume];
@@ -221,9 +262,11 @@ class MicroPainter {
   }
   void add(ViewPart& part, std::uint32_t volume, const std::vector<Point3d>& points,
            std::size_t parts) const {
+    add_image(part, mapped(volume, points), parts);
+  }
+  static void add_image(ViewPart& part, const std::vector<Point3d>& image, std::size_t parts) {
     const auto first = static_cast<std::uint32_t>(part.points.size());
     const auto n = static_cast<std::uint32_t>(parts) + 1;
-    const std::vector<Point3d> image = mapped(volume, points);
     part.points.insert(part.points.end(), image.begin(), image.end());
     for (std::uint32_t i = 0; i + 1 < n; ++i)
       for (std::uint32_t j = 0; j + 1 < n; ++j) {
@@ -233,11 +276,6 @@ class MicroPainter {
       }
   }
 
-  void add_model() {
-    ViewPart& out = parts_.emplace_back(named("model", kAroundColour));
-    for (const Vec3d& p : options_.model->positions) out.points.push_back({p.x, p.y, p.z});
-    out.triangles = options_.model->faces;
-  }
   void add_cage() {
     ViewPart& out = parts_.emplace_back(named("cage", kCageColour));
     for (std::uint32_t v = 0; v < maps_.size(); ++v)
@@ -269,6 +307,14 @@ class MicroPainter {
 };
 
 }  // namespace
+
+ViewPart part_around(const TriangleMesh& mesh) {
+  ViewPart out;
+  out.name = "model", out.colour = kAroundColour;
+  for (const Vec3d& p : mesh.positions) out.points.push_back({p.x, p.y, p.z});
+  out.triangles = mesh.faces;
+  return out;
+}
 
 Result<std::vector<ViewPart>> micro_parts(const Microstructure& micro,
                                           const MicroViewOptions& options) {

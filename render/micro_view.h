@@ -4,6 +4,7 @@
 // and nothing is decided. Source: figures 3 to 7 of [HPE22].
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,10 @@
 #include "solids/polyhedron/triangle_mesh.h"
 
 namespace veritope {
+
+inline constexpr Colour kTileColour{86, 160, 84}, kBridgeColour{58, 108, 190},
+    kAroundColour{150, 155, 165};
+inline constexpr std::uint8_t kAroundOpacity = 60;
 
 struct MicroViewOptions {
   /// Patches of degree 1 in both parameters have half as many parts along each side as others, which have from 2 to
@@ -30,6 +35,9 @@ struct MicroViewOptions {
 /// @cost 30 ns for each point of a tricubic cage
 Result<std::vector<ViewPart>> micro_parts(const Microstructure& micro,
                                           const MicroViewOptions& options);
+
+/// The part "model": a mesh to be drawn transparent.
+ViewPart part_around(const TriangleMesh& mesh);
 
 /// The parts as a scene: the model transparent, the cage's lines in front of all.
 Scene micro_scene(std::vector<ViewPart> parts);

@@ -42,7 +42,8 @@ void put_micro(const Microstructure& micro, Json& out) {
                    {"grids", micro.grids.size()},
                    {"cells", counts.cells},
                    {"tiles", counts.tiles},
-                   {"different_tiles", micro.tiles.size()}};
+                   {"different_tiles", micro.tiles.size()},
+                   {"bridges", micro.num_bridges()}};
   out["range"] = counts.range ? Json(*counts.range) : Json(nullptr);
 }
 
@@ -53,6 +54,9 @@ std::string micro_lines(const Microstructure& micro) {
                                             counted(counts.cells, "cell", "cells"));
   out += detail_line("tiles", counted(counts.tiles, "tile", "tiles") + ", " +
                                   std::to_string(micro.tiles.size()) + " different");
+  if (micro.num_bridges() != 0)
+    out += detail_line("bridges", counted(micro.num_bridges(), "bridge", "bridges") +
+                                      (micro.sweeps.empty() ? "" : " in space"));
   if (counts.range)
     out += detail_line("range", "numbers of walls from " + std::to_string((*counts.range)[0]) +
                                     "/2^20 to " + std::to_string((*counts.range)[1]) + "/2^20");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "report/micro_run_report.h"
 
+#include <algorithm>
+
 #include "report/decimal_text.h"
 #include "report/json_text.h"
 #include "report/report_text.h"
@@ -39,8 +41,9 @@ Json bridges_json(const std::optional<BridgeReport>& bridges) {
           {"reach", range_of_bridges_json(bridges->reach)}};
 }
 
-std::string bridges_line(const BridgeReport& bridges) {
-  std::string text = std::to_string(bridges.built) + " of " + counted(bridges.caps, "cap", "caps");
+std::string bridges_line(const BridgeReport& bridges, const char* one = "cap",
+                         const char* many = "caps") {
+  std::string text = std::to_string(bridges.built) + " of " + counted(bridges.caps, one, many);
   bool is_first = true;
   for (std::size_t i = 0; i < kNumBridgeDrops; ++i) {
     if (bridges.dropped[i] == 0) continue;
@@ -55,7 +58,21 @@ Json composed_json(const std::optional<MicroRunReport::Composed>& composed) {
   if (!composed) return nullptr;
   return {{"file", file_json(composed->file)},
           {"patches", composed->patches},
-          {"curves", composed->curves}};
+          {"curves", composed->curves},
+          {"bridges", composed->bridges},
+          {"bridges_left_out", composed->bridges_left_out}};
+}
+
+// Names the first bridges that the composed surface lacks.
+std::string left_out_line(const MicroRunReport::Composed& composed) {
+  constexpr std::size_t kMostNamed = 8;
+  const auto& numbers = composed.bridges_left_out;
+  std::string text = counted(numbers.size(), "bridge", "bridges") +
+                     " not composed, because a knot of the cage crosses " +
+                     (numbers.size() == 1 ? "it" : "them") + ":";
+  for (std::size_t i = 0; i < std::min(numbers.size(), kMostNamed); ++i)
+    text += (i == 0 ? " " : ", ") + std::to_string(numbers[i]);
+  return detail_line("left out", text + (numbers.size() > kMostNamed ? ", ..." : ""));
 }
 
 Json micro_bounds_json(const std::optional<MicroRunReport::Bounds>& b) {
@@ -79,6 +96,12 @@ Json defect_in_run_json(const MicroRunReport::Defect& d) {
 std::string bounds_text(const MicroRunReport::Bounds& b) {
   if (b.hi - b.lo <= 1e-6 * b.hi) return short_decimal(b.lo + (b.hi - b.lo) / 2);
   return short_decimal(b.lo) + " to " + short_decimal(b.hi);
+}
+
+// Bounds that may be one per cent apart.
+std::string clearance_text(const MicroRunReport::Bounds& b) {
+  const std::string lo = short_decimal(b.lo), hi = short_decimal(b.hi);
+  return lo == hi ? lo : lo + " to " + hi;
 }
 
 Json outer_json(const std::optional<MicroRunReport::Outer>& outer) {
@@ -108,7 +131,10 @@ std::string open_run_text(const MicroRunReport& r) {
     if (r.composed->curves != 0) shapes = counted(r.composed->curves, "curve", "curves");
     if (sheets != 0) shapes += (shapes.empty() ? "" : ", ") + counted(sheets, "sheet", "sheets");
     text = "wrote  " + unbroken(harmless(r.composed->file.path)) + "  " + shapes + " of " +
-           counted(r.kept, "tile", "tiles") + " in " + counted(r.cells, "cell", "cells") + "\n";
+           counted(r.kept, "tile", "tiles") +
+           (r.bridges ? ", " + counted(r.bridges->built, "bridge", "bridges") : "") + " in " +
+           counted(r.cells, "cell", "cells") + "\n";
+    if (r.bridges) text += bridges_line(*r.bridges, "free end", "free ends");
   } else if (r.kept == 0 && r.defects.empty()) {
     text = "wrote nothing: no tile is kept in " + counted(r.cells, "cell", "cells") + "\n";
   }
@@ -141,6 +167,7 @@ std::string micro_run_json(const MicroRunReport& r) {
   out["volume"] = micro_bounds_json(r.volume);
   out["density"] = micro_bounds_json(r.density);
   out["scale"] = micro_bounds_json(r.scale);
+  out["clearance"] = micro_bounds_json(r.clearance);
   out["mesh"] = mesh_of_run_json(r.mesh);
   out["composed"] = composed_json(r.composed);
   out["defects"] = std::move(defects);
@@ -168,10 +195,14 @@ std::string micro_run_text(const MicroRunReport& r) {
   if (r.composed)
     text += "wrote  " + unbroken(harmless(r.composed->file.path)) + "  " +
             counted(r.composed->patches, "patch", "patches") + "\n";
+  if (r.composed && !r.composed->bridges_left_out.empty()) text += left_out_line(*r.composed);
   if (r.volume && r.density)
     text += detail_line("volume", bounds_text(*r.volume) + ", " +
                                       bounds_text({100 * r.density->lo, 100 * r.density->hi}) +
                                       " % of the cells");
+  if (r.clearance)
+    text += detail_line(
+        "clearance", clearance_text(*r.clearance) + " from the tiles to the surface of the model");
   if (r.wants_surface && r.kept == 0)
     text += detail_line("surface", "none is written, because no tile is kept");
   if (r.floating != 0)

@@ -35,6 +35,9 @@ struct MicroRunReport {
     File file;
     std::uint64_t patches = 0;
     std::uint64_t curves = 0;  ///< among the patches
+    std::uint64_t bridges = 0;
+    std::vector<std::uint32_t>
+        bridges_left_out;  ///< numbers of those that cross a knot of the cage
   };
   /// What the cells held whose tiles became the cage: micro --nest.
   struct Outer {
@@ -57,10 +60,12 @@ struct MicroRunReport {
   std::uint64_t kinds = 0;
   std::optional<MicroCounts> counts;    ///< of what was written
   std::optional<BridgeReport> bridges;  ///< nothing if none were to be built
-  std::optional<Bounds> volume;         ///< of the tiles, in cubic units of the model
+  std::optional<Bounds> volume;         ///< of tiles and bridges, in cubic units of the model
   std::optional<Bounds> density;        ///< that volume over the volume of all cells
   /// The least and the greatest determinant of the cage's map from [0, 1]^3 over the cells with tiles, up to its sign.
   std::optional<Bounds> scale;
+  /// The least distance of a tile from the surface of the model, in its units.
+  std::optional<Bounds> clearance;
   std::optional<Mesh> mesh;
   std::optional<Composed> composed;
   bool is_open =

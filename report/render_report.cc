@@ -27,6 +27,13 @@ Json cells_json(const CellPicture& cells) {
   return {{"count", cells.count}, {"explode", cells.explode}, {"nets", cells.has_nets}};
 }
 
+Json curves_json(const CurvePicture& curves) {
+  return {{"curves", curves.curves},
+          {"sheets", curves.sheets},
+          {"bridges", curves.bridges},
+          {"around", curves.around ? Json(*curves.around) : Json(nullptr)}};
+}
+
 Json micro_json(const MicroPicture& micro) {
   return {{"tiles", micro.tiles},
           {"bridges", micro.bridges},
@@ -48,6 +55,7 @@ std::string render_json(const RenderReport& report) {
   out["grid"] = report.grid ? grid_json(*report.grid) : Json(nullptr);
   out["cells"] = report.cells ? cells_json(*report.cells) : Json(nullptr);
   out["micro"] = report.micro ? micro_json(*report.micro) : Json(nullptr);
+  out["curves"] = report.curves ? curves_json(*report.curves) : Json(nullptr);
   out["seconds"] = {{"read", seconds_json(report.seconds_read)},
                     {"build", seconds_json(report.seconds_build)},
                     {"draw", seconds_json(report.seconds_draw)}};

@@ -31,6 +31,12 @@ struct MicroPicture {
   std::optional<std::string> around;  ///< the path of the solid around it
 };
 
+/// Curves and sheets in a picture.
+struct CurvePicture {
+  std::uint64_t curves = 0, sheets = 0, bridges = 0;
+  std::optional<std::string> around;  ///< the path of the solid around them
+};
+
 struct RenderReport {
   std::string path, sha256;  ///< of the model
   std::string picture;       ///< the path of the file
@@ -40,6 +46,7 @@ struct RenderReport {
   std::optional<GridCounts> grid;
   std::optional<CellPicture> cells;
   std::optional<MicroPicture> micro;
+  std::optional<CurvePicture> curves;
   double seconds_read = 0, seconds_build = 0, seconds_draw = 0;
 };
 

@@ -132,6 +132,25 @@ class Figures:
             self.micro(f"8_{name}", cage, "12,12,16", "--thickness", formula, model="cylinder.off")
             self.picture(f"8_{name}", f"8_{name}.vmicro", "--around", "cylinder.off")
 
+    # Three periodic curves: the tile, a bone full of them, and the ball on the cylinder, as rational surfaces.
+    def figure9(self):
+        cube, box = self.cage("one", ["box", "--min", "0,0,0", "--max", "1,1,1"]), self.cage("9", BOX)
+        self.curves("9_a", cube, "1,1,1", "--view=-5,8,-4")
+        self.curves("9_b", "bone_b.vjson", "8,6,40", LENGTHWISE, model="bone.off", around="bone.off")
+        self.curves("9_c", box, "12,12,16", model="cylinder.vjson", around="cylinder.off")
+
+    def curves(self, name, cage, counts, *view, model=None, around=None):
+        """Writes the curves and their bridges as NAME.vjson, prints how many there are, and draws them."""
+        solid = [] if model is None else ["--model", model]
+        report = json.loads(self.run("micro", "--cage", cage, "--tile", "curves3", "--counts", counts, *solid,
+                                     "--emit", f"{name}.vjson", "--json", "-"))
+        tiles, bridges = report["tiles"], report["bridges"]
+        text = f"{report['composed']['curves']} curves of {tiles['kept']} of {tiles['total']} tiles"
+        if bridges:
+            text += f", {bridges['built']} of {bridges['caps']} ends bridged"
+        print(f"{name}: {text}", flush=True)
+        self.picture(name, f"{name}.vjson", *view, *([] if around is None else ["--around", around]))
+
     # A mesh to be printed: bone and duck with their bridges.
     def figure10(self):
         hull = self.cage("10", ["hull", "--around", "duck.off", "--spans", "6,6,6"])
@@ -143,7 +162,7 @@ class Figures:
             self.picture(f"10_{name}", f"{name}.stl", "--view=-4,9,-3" if name == "duck" else LENGTHWISE)
 
 
-ALL = ["1", "2", "3", "4", "5", "6", "7", "8", "10"]
+ALL = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "10"]
 
 
 def main():

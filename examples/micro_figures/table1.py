@@ -6,7 +6,7 @@ For each row: makes model and cage, fills, filters, bridges (veritope micro), de
 lies in the model (veritope certify --model), and prints a line with the paper's numbers beside. The bunny is the file
 thingiCSG__bunny_remap.off of the folder VERITOPE_DATA/mesh/solid1, or --bunny; without it rows 6 are left out. Exits
 with 1 if a row is not VALID and inside. With --tile curves3 or jack-surfaces, of which no claim is made: the seconds of
-filtering, and of composing and writing what is kept.
+filtering, of bridging the free ends of curves, and of composing and writing it all.
 """
 import argparse
 import json
@@ -32,23 +32,21 @@ PAPER = {
     "6c": (1054.328, 12.906, 63.94, 412.034, 10368, 2786, 2407),
     "7a": (237.5, 3.75, 10400.717, 32.138, 2541, 889, 852),
     "7b": (328.25, 4.516, 10783.349, 46.006, 3549, 1287, 983)}
-# Row: model, how to make its cage, cells along the axes of each volume.
-# Row: the model, as splines and as a mesh, or as a mesh; how to make its cage; cells along the axes (of each volume).
+# Row: the model; how to make its cage; cells along the axes (of each volume).
 EARS = [["split", "--at", "w=9/16", "--open", "v1", "--from", "27/32", "--low=0,0,-5", "--high", "0,0,5"]]
 SPLIT_COUNTS = "18,20,13/18,20,11/18,4,13/18,4,11"
-CYLINDER = ("cylinder.vjson", "cylinder.off")
 ROWS = {
-    "4a": (CYLINDER, [["box", "--around", "cylinder.vjson", "--degrees", "3,3,3"]], "8,6,12"),
-    "4b": (CYLINDER, [["box", "--around", "cylinder.vjson", "--degrees", "3,3,3"]], "12,12,16"),
-    "4c": (CYLINDER, [["radial", "--around", "cylinder.vjson"]], "6,24,16"),
-    "5a": (("bone.off",), "bone_a.vjson", "8,5,37"),
-    "5b": (("bone.off",), "bone_b.vjson", "8,6,40"),
-    "5c": (("bone.off",), "bone_c.vjson", "8,7,40"),
-    "6a": (("bunny",), [["box", "--around", "bunny", "--degrees", "3,3,3"]], "16,22,24"),
-    "6b": (("bunny",), [["box", "--around", "bunny"], *EARS], SPLIT_COUNTS),
-    "6c": (("bunny",), [["hull", "--around", "bunny", "--spans", "8,8,8", "--margin", "1/40"]], "18,24,24"),
-    "7a": (("duck.vjson", "duck.off"), [["box", "--around", "duck.vjson"]], "11,11,21"),
-    "7b": (("duck.vjson", "duck.off"), [["hull", "--around", "duck.vjson", "--spans", "6,6,6"]], "13,13,21"),
+    "4a": ("cylinder.vjson", [["box", "--around", "cylinder.vjson", "--degrees", "3,3,3"]], "8,6,12"),
+    "4b": ("cylinder.vjson", [["box", "--around", "cylinder.vjson", "--degrees", "3,3,3"]], "12,12,16"),
+    "4c": ("cylinder.vjson", [["radial", "--around", "cylinder.vjson"]], "6,24,16"),
+    "5a": ("bone.off", "bone_a.vjson", "8,5,37"),
+    "5b": ("bone.off", "bone_b.vjson", "8,6,40"),
+    "5c": ("bone.off", "bone_c.vjson", "8,7,40"),
+    "6a": ("bunny", [["box", "--around", "bunny", "--degrees", "3,3,3"]], "16,22,24"),
+    "6b": ("bunny", [["box", "--around", "bunny"], *EARS], SPLIT_COUNTS),
+    "6c": ("bunny", [["hull", "--around", "bunny", "--spans", "8,8,8", "--margin", "1/40"]], "18,24,24"),
+    "7a": ("duck.vjson", [["box", "--around", "duck.vjson"]], "11,11,21"),
+    "7b": ("duck.vjson", [["hull", "--around", "duck.vjson", "--spans", "6,6,6"]], "13,13,21"),
 }
 
 
@@ -85,22 +83,17 @@ class Table:
                                    *more, *self.options.more, allowed=(0, 3)))
 
     def row(self, name):
-        models, steps, counts = ROWS[name]
-        if models[0] == "bunny" and self.bunny is None:
+        model, steps, counts = ROWS[name]
+        if model == "bunny" and self.bunny is None:
             print(f"{name}   left out: no bunny")
             return True
         cage = self.cage(name, steps)
         if self.options.tile.startswith(("curves3", "jack-surfaces")):
-            return self.open_row(name, cage, models[-1], counts)
-        if len(models) > 1:  # splines are filtered; bridges and the claim about the inside are of meshes
-            splines = self.micro(cage, counts, models[0], f"{name}_splines.vmicro")
-            tiles = splines["tiles"]
-            print(f"{name}  {tiles['total']:6} {tiles['kept']:5} of splines      {splines['seconds']['filter']:8.2f}",
-                  flush=True)
+            return self.open_row(name, cage, model, counts)
         out = f"{name}.vmicro"
-        report = self.micro(cage, counts, models[-1], out)
+        report = self.micro(cage, counts, model, out)
         begin = time.monotonic()
-        [decided] = json.loads(self.run("certify", out, "--model", models[-1], "--json", "-",
+        [decided] = json.loads(self.run("certify", out, "--model", model, "--json", "-",
                                         allowed=(0, 1, 3)))["files"]
         seconds = time.monotonic() - begin
         is_good = decided["verdict"] == "VALID" and decided["inside"] is not None
@@ -112,8 +105,9 @@ class Table:
                                      "--model", model, "--emit", f"{name}_open.vjson", "--json", "-",
                                      "--jobs", self.options.jobs, *self.options.more, allowed=(0, 3)))
         tiles, s, written = report["tiles"], report["seconds"], report["composed"] or {"patches": 0}
+        ends = report["bridges"] or {"built": 0, "caps": 0}
         print(f"{name}  {tiles['total']:6} {tiles['kept']:5}        {tiles['undecided']:4} undecided  "
-              f"filter {s['filter']:.3f} s  "
+              f"filter {s['filter']:.3f} s  {ends['built']} of {ends['caps']} ends in {s['bridge']:.2f} s  "
               f"{written['patches']} patches or curves in {s['compose']:.2f} s", flush=True)
         return True
 

@@ -49,7 +49,9 @@ class MicroReader : SplineJsonLexer {
   bool read_walls(std::size_t grid, std::size_t axis);
   bool read_all_walls();
   bool read_bridge();
-  bool read_bridge_number(std::size_t key, MicroBridge& bridge);
+  bool read_sweep();
+  // The key 0, 1 or 2: grid, cell, wall.
+  bool read_cap_number(std::size_t key, CapPlace& cap);
   bool read_material();
   bool read_values(std::size_t grid, std::vector<std::int64_t>& values);
   bool read_degrees(std::array<int, 2>& degrees);
@@ -59,6 +61,12 @@ class MicroReader : SplineJsonLexer {
 
   // Reads digits without a sign, up to `most`.
   bool read_natural(const char* what, std::uint64_t most, std::uint64_t& value);
+  bool read_volume(const char* what, std::uint64_t most, std::uint32_t& volume) {
+    std::uint64_t n = 0;
+    if (!read_natural(what, most, n)) return false;
+    volume = static_cast<std::uint32_t>(n);
+    return true;
+  }
   // Reads a list with so many items; item(i) reads the i-th.
   template <typename Item>
   bool read_exactly(std::size_t count, Item item);
@@ -80,9 +88,10 @@ class MicroReader : SplineJsonLexer {
 };
 
 bool MicroReader::read() {
-  const std::initializer_list<std::string_view> keys = {
-      "format", "model", "cage", "grids", "tiles", "cells", "walls", "bridges", "materials"};
-  constexpr std::size_t kNumOptional = 2;  // at the end
+  const std::initializer_list<std::string_view> keys = {"format", "model",    "cage",  "grids",
+                                                        "tiles",  "cells",    "walls", "bridges",
+                                                        "sweeps", "materials"};
+  constexpr std::size_t kNumOptional = 3;  // at the end
   std::size_t next = 0;
   const bool ok = read_object(
       keys,
@@ -116,6 +125,7 @@ bool MicroReader::read_member(std::size_t key) {
     case 5: return each_grid([this](std::size_t grid) { return read_cells(grid); });
     case 6: return read_all_walls();
     case 7: return read_list([this] { return read_bridge(); });
+    case 8: return read_list([this] { return read_sweep(); });
     default: return read_list([this] { return read_material(); });
   }
 }
@@ -223,10 +233,7 @@ bool MicroReader::read_grid() {
       return read_exactly(3, [&](std::size_t axis) {
         return read_list([&] { return read_exact(grid.breaks[axis].emplace_back()); });
       });
-    std::uint64_t volume = 0;
-    if (!read_natural("the volume of a grid", micro_.cage.size() - 1, volume)) return false;
-    grid.volume = static_cast<std::uint32_t>(volume);
-    return true;
+    return read_volume("the volume of a grid", micro_.cage.size() - 1, grid.volume);
   });
   return ok && accept(start, check_breaks(micro_, micro_.grids.size() - 1, num_cells_));
 }
@@ -380,7 +387,9 @@ bool MicroReader::read_bridge() {
   MicroBridge& bridge = micro_.bridges.emplace_back();
   const bool ok =
       read_object({"grid", "cell", "wall", "volume", "degrees", "points"}, [&](std::size_t key) {
-        if (key < 4) return read_bridge_number(key, bridge);
+        if (key < 3) return read_cap_number(key, bridge.cap);
+        if (key == 3)
+          return read_volume("the volume of a bridge", kMaxMicroGrids - 1, bridge.volume);
         if (key == 4) return read_degrees(bridge.degrees);
         return read_list([&] {
           return is_within(bridge.points.size() + 1, kMostPoints, "points of a bridge") &&
@@ -390,17 +399,27 @@ bool MicroReader::read_bridge() {
   return ok && accept(start, check_bridge(micro_, micro_.bridges.size() - 1));
 }
 
-bool MicroReader::read_bridge_number(std::size_t key, MicroBridge& bridge) {
-  constexpr std::array<const char*, 4> kWhat = {"the grid of a bridge", "the cell of a bridge",
-                                                "the wall of a bridge", "the volume of a bridge"};
-  const std::array<std::uint64_t, 4> most = {kMaxMicroGrids - 1, kMaxMicroCells - 1, 5,
-                                             kMaxMicroGrids - 1};
+bool MicroReader::read_sweep() {
+  skip();
+  const char* const start = p_;
+  if (!is_within(micro_.sweeps.size() + 1, kMaxMicroBridges, "sweeps")) return false;
+  MicroSweep& sweep = micro_.sweeps.emplace_back();
+  const bool ok = read_object({"grid", "cell", "wall", "axis"}, [&](std::size_t key) {
+    if (key < 3) return read_cap_number(key, sweep.cap);
+    return read_exactly(2, [&](std::size_t i) { return read_point(sweep.axis[i]); });
+  });
+  return ok && accept(start, check_sweep(micro_, micro_.sweeps.size() - 1));
+}
+
+bool MicroReader::read_cap_number(std::size_t key, CapPlace& cap) {
+  constexpr std::array<const char*, 3> kWhat = {"the grid of a bridge", "the cell of a bridge",
+                                                "the wall of a bridge"};
+  const std::array<std::uint64_t, 3> most = {kMaxMicroGrids - 1, kMaxMicroCells - 1, 5};
   std::uint64_t n = 0;
   if (!read_natural(kWhat[key], most[key], n)) return false;
-  if (key == 0) bridge.cap.grid = static_cast<std::uint32_t>(n);
-  if (key == 1) bridge.cap.cell = n;
-  if (key == 2) bridge.cap.wall = static_cast<int>(n);
-  if (key == 3) bridge.volume = static_cast<std::uint32_t>(n);
+  if (key == 0) cap.grid = static_cast<std::uint32_t>(n);
+  if (key == 1) cap.cell = n;
+  if (key == 2) cap.wall = static_cast<int>(n);
   return true;
 }
 

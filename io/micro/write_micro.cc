@@ -37,6 +37,10 @@ class MicroWriter {
       out_ += ",\n\"bridges\": ";
       lines(micro.bridges, [this](const MicroBridge& b) { bridge(b); });
     }
+    if (!micro.sweeps.empty()) {
+      out_ += ",\n\"sweeps\": ";
+      lines(micro.sweeps, [this](const MicroSweep& s) { sweep(s); });
+    }
     if (!micro.materials.empty()) {
       out_ += ",\n\"materials\": ";
       lines(micro.materials, [this](const MicroMaterial& m) { material(m); });
@@ -152,15 +156,24 @@ class MicroWriter {
     list(
         grid.walls, [this](const std::vector<std::int32_t>& axis) { integers(axis); }, ", ");
   }
+  void cap(const CapPlace& c) {
+    out_ += "{\"grid\": " + std::to_string(c.grid) + ", \"cell\": " + std::to_string(c.cell) +
+            ", \"wall\": " + std::to_string(c.wall);
+  }
   void bridge(const MicroBridge& b) {
-    out_ += "{\"grid\": " + std::to_string(b.cap.grid) +
-            ", \"cell\": " + std::to_string(b.cap.cell) +
-            ", \"wall\": " + std::to_string(b.cap.wall) +
-            ", \"volume\": " + std::to_string(b.volume) + ", \"degrees\": ";
+    cap(b.cap);
+    out_ += ", \"volume\": " + std::to_string(b.volume) + ", \"degrees\": ";
     integers(b.degrees);
     out_ += ", \"points\": ";
     list(
         b.points, [this](const TilePoint& point) { numbers(point); }, ", ");
+    out_ += '}';
+  }
+  void sweep(const MicroSweep& s) {
+    cap(s.cap);
+    out_ += ", \"axis\": ";
+    list(
+        s.axis, [this](const TilePoint& vector) { numbers(vector); }, ", ");
     out_ += '}';
   }
   void material(const MicroMaterial& m) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "robust/filter.h"
@@ -11,11 +12,6 @@
 namespace veritope::internal {
 namespace {
 
-// A node is one of these, with a number in the other 30 bits.
-enum NodeKind : std::uint32_t { kInner = 0, kEmpty = 1u << 30, kOccupied = 2u << 30 };
-constexpr std::uint32_t kNumber = (1u << 30) - 1;
-
-constexpr std::size_t kFewFacets = 6;  // a cell with no more is not divided
 constexpr std::uint64_t kMostCopies =
     10;  // facets of all cells together, for each facet of the mesh
 
@@ -49,8 +45,13 @@ std::optional<OctreeFrame> OctreeFrame::around(const Box3d& box) {
 
 class CellOctree::Builder {
  public:
-  Builder(CellOctree& tree, const FacetTests& tests, std::uint32_t num_facets, ShellChains& chains)
-      : tree_(tree), tests_(tests), chains_(chains), num_facets_(num_facets) {
+  Builder(CellOctree& tree, const FacetTests& tests, std::uint32_t num_facets,
+          std::size_t few_facets, ShellChains& chains)
+      : tree_(tree),
+        tests_(tests),
+        chains_(chains),
+        num_facets_(num_facets),
+        few_facets_(few_facets) {
     boxes_.reserve(num_facets);
     for (std::uint32_t f = 0; f < num_facets; ++f) {
       Box3d b = empty_box();
@@ -88,17 +89,15 @@ class CellOctree::Builder {
     return out;
   }
 
-  // Whether the plane of a facet may meet a cell with this centre, margin included. If not, the exact plane function L
-  // of the facet has one sign on the cell: |L - value| <= e at the centre, where e is the session's bound; the radius r
-  // below differs from that of the exact normal by less than e, because the bound holds for all points of the session's
-  // box, and from its own rounding by less than 2^-40 r. So |value| > r (1 + 2^-40) + 4 e leaves no zero of L in the
-  // cell.
-  bool plane_may_meet(const SessionPlane& plane, const Vec3d& centre, double size) const {
+  // The plane function L of a facet has one sign on every cell of this size at whose centre its value is beyond this,
+  // margin included: |L - value| <= e at the centre, where e is the session's bound; the radius r below differs from
+  // that of the exact normal by less than e, because the bound holds for all points of the session's box, and from its
+  // own rounding by less than 2^-40 r. So |value| > r (1 + 2^-40) + 4 e leaves no zero of L in the cell.
+  double reach_of(const SessionPlane& plane, double size) const {
     const double half = 0.5 * size + 2 * tree_.frame_.margin;
     const double r =
         (std::abs(double(plane.x)) + std::abs(double(plane.y)) + std::abs(double(plane.z))) * half;
-    return !is_certain(sign_beyond(Session3d::plane_value(plane, centre),
-                                   r * (1 + 0x1p-40) + 4 * tests_.session().orient3d_error()));
+    return r * (1 + 0x1p-40) + 4 * tests_.session().orient3d_error();
   }
 
   // The label at `to`, at the end of a segment from a reference of a cell that contains both; nothing if the segment
@@ -147,21 +146,44 @@ class CellOctree::Builder {
     if (!reference) return set_occupied(node, facets, std::nullopt);
     if (facets.empty()) return set_empty(node, reference->label);
     std::array<std::vector<std::uint32_t>, 8> parts;
-    if (facets.size() <= kFewFacets || level == tree_.frame_.max_level ||
+    if (facets.size() <= few_facets_ || level == tree_.frame_.max_level ||
         !divide(cell, facets, budget, parts))
       return set_occupied(node, facets, reference_in(cell, *reference, facets, true));
     const auto first = static_cast<std::uint32_t>(tree_.nodes_.size());
     tree_.nodes_[node] = kInner | first;
     tree_.nodes_.resize(first + 8);
+    const auto references = references_of_children(cell, *reference, facets, parts);
     std::uint64_t all = 0;
     for (const auto& part : parts) all += part.size();
     for (unsigned i = 0; i < 8; ++i) {
-      const OctreeCell child = cell.child(i);
       const std::uint64_t share = all == 0 ? 0 : budget * parts[i].size() / all;
-      build(first + i, child, level + 1, parts[i], reference_in(child, *reference, facets, false),
-            share);
+      build(first + i, cell.child(i), level + 1, parts[i], references[i], share);
       parts[i] = {};
     }
+  }
+
+  // A point of each child with its label. They follow from child to child, over common faces: a segment between points
+  // of both lies in the two, so that only their facets count. REQUIRES that the cell contains the reference.
+  std::array<std::optional<Reference>, 8> references_of_children(
+      const OctreeCell& cell, const Reference& from, const std::vector<std::uint32_t>& facets,
+      const std::array<std::vector<std::uint32_t>, 8>& parts) {
+    std::array<std::optional<Reference>, 8> out;
+    const Vec3d middle = cell.centre();
+    const unsigned start = (from.point.x > middle.x ? 1u : 0u) |
+                           (from.point.y > middle.y ? 2u : 0u) |
+                           (from.point.z > middle.z ? 4u : 0u);
+    out[start] = from;
+    for (unsigned step = 1; step < 8; ++step) {
+      const unsigned i = start ^ step, before = start ^ (step & (step - 1));
+      if (out[before]) {
+        both_.clear();
+        std::set_union(parts[before].begin(), parts[before].end(), parts[i].begin(), parts[i].end(),
+                       std::back_inserter(both_));
+        out[i] = reference_in(cell.child(i), *out[before], both_, false);
+      }
+      if (!out[i]) out[i] = reference_in(cell.child(i), from, facets, false);
+    }
+    return out;
   }
 
   // False if the parts have too many facets in all.
@@ -173,10 +195,11 @@ class CellOctree::Builder {
     for (unsigned i = 0; i < 8; ++i) centres[i] = cell.child(i).centre();
     std::uint64_t copies = 0;
     for (const std::uint32_t f : facets) {
-      const SessionPlane& plane = tests_.plane(f);
+      const SessionPlane plane = tests_.plane(f);
+      const double reach = reach_of(plane, size);
       for (unsigned rest = children_at(f, middle); rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-        if (!plane_may_meet(plane, centres[i], size)) continue;
+        if (is_certain(sign_beyond(Session3d::plane_value(plane, centres[i]), reach))) continue;
         parts[i].push_back(f);
         ++copies;
       }
@@ -213,14 +236,16 @@ class CellOctree::Builder {
   const FacetTests& tests_;
   ShellChains& chains_;
   const std::uint32_t num_facets_;
+  const std::size_t few_facets_;
   std::vector<Box3d> boxes_;
+  std::vector<std::uint32_t> both_;  // the facets of two children
   std::map<RegionLabel, std::uint32_t> labels_;
 };
 
 CellOctree::CellOctree(const FacetTests& tests, const OctreeFrame& frame, std::uint32_t num_facets,
-                       ShellChains& chains)
+                       std::size_t few_facets, ShellChains& chains)
     : frame_(frame) {
-  Builder(*this, tests, num_facets, chains).build();
+  Builder(*this, tests, num_facets, few_facets, chains).build();
   make_grid(num_facets);
 }
 
@@ -275,28 +300,6 @@ CellOctree::Found CellOctree::find(const Vec3d& q) const {
   const std::uint32_t number = node & kNumber;
   if ((node & kOccupied) == 0) return {&labels_[number], nullptr, {}};
   return {nullptr, &occupied_[number], cell_at({x >> bit, y >> bit, z >> bit}, kIndexBits - bit)};
-}
-
-bool CellOctree::visit_facets(const Box3d& box,
-                              const std::function<bool(std::span<const CellFacet>)>& visit) const {
-  struct Step {
-    Node node;
-    OctreeCell cell;
-  };
-  std::vector<Step> steps = {{nodes_[0], {frame_.origin, frame_.size}}};
-  while (!steps.empty()) {
-    const Step step = steps.back();
-    steps.pop_back();
-    const Vec3d& lo = step.cell.lo;
-    const double size = step.cell.size;  // corners are exact
-    if (!meets({to_point(lo), {lo.x + size, lo.y + size, lo.z + size}}, box)) continue;
-    if (step.node < kEmpty) {
-      for (unsigned i = 0; i < 8; ++i) steps.push_back({nodes_[step.node + i], step.cell.child(i)});
-    } else if ((step.node & kOccupied) != 0) {
-      if (!visit(facets(occupied_[step.node & kNumber]))) return false;
-    }
-  }
-  return true;
 }
 
 LookupSize CellOctree::size() const {

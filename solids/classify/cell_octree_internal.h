@@ -4,8 +4,8 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -49,6 +49,7 @@ struct OctreeCell {
   Vec3d lo;
   double size = 0;
 
+  Vec3d corner() const { return {lo.x + size, lo.y + size, lo.z + size}; }
   Vec3d centre() const { return {lo.x + 0.5 * size, lo.y + 0.5 * size, lo.z + 0.5 * size}; }
   /// One of some points in the middle of the cell, spread without a pattern that a model could share: multiples of
   /// 1/128 of its size. REQUIRES 0 <= i < kNumPoints.
@@ -95,9 +96,10 @@ struct OctreeFrame {
 
 class CellOctree {
  public:
+  /// A cell with at most `few_facets` is not divided.
   /// @cost near-linear in the facets, of which the cells hold at most ten copies each on average
   CellOctree(const FacetTests& tests, const OctreeFrame& frame, std::uint32_t num_facets,
-             ShellChains& chains);
+             std::size_t few_facets, ShellChains& chains);
 
   /// The cell of a point of the box: the label of an empty cell, or an occupied cell.
   struct Found {
@@ -112,10 +114,14 @@ class CellOctree {
   void prefetch_facets(const OccupiedCell& cell) const {
     __builtin_prefetch(facets_.data() + cell.first);
   }
-  /// Calls `visit` for the facets of each cell that meets the closed box, until it returns false. Returns whether it
-  /// always returned true. A facet that meets the box is among them, perhaps several times.
-  bool visit_facets(const Box3d& box,
-                    const std::function<bool(std::span<const CellFacet>)>& visit) const;
+  /// Calls `visit`, a function of std::span<const CellFacet>, for the facets of each cell that meets the closed box,
+  /// until it returns false. Returns whether it always returned true. A facet that meets the box is among them, perhaps
+  /// several times.
+  template <typename Visit>
+  bool visit_facets(const Box3d& box, const Visit& visit) const {
+    return !meets({to_point(root().lo), to_point(root().corner())}, box) ||
+           visit_facets(nodes_[0], root(), box, visit);
+  }
   LookupSize size() const;
 
   /// Numbers the facets of the cells in the order in which cells name them, so that those of one cell are neighbours.
@@ -126,7 +132,14 @@ class CellOctree {
   class Builder;
   void make_grid(std::uint32_t num_facets);
   OctreeCell cell_at(const std::array<std::uint32_t, 3>& place, int level) const;
-  using Node = std::uint32_t;  // see kinds in the .cc file
+  /// One of these kinds, with a number in the other 30 bits.
+  using Node = std::uint32_t;
+  static constexpr Node kInner = 0, kEmpty = 1u << 30, kOccupied = 2u << 30;
+  static constexpr Node kNumber = (1u << 30) - 1;
+
+  OctreeCell root() const { return {frame_.origin, frame_.size}; }
+  template <typename Visit>
+  bool visit_facets(Node node, const OctreeCell& cell, const Box3d& box, const Visit& visit) const;
 
   OctreeFrame frame_;
   int grid_level_ = 0;
@@ -136,5 +149,22 @@ class CellOctree {
   std::vector<OccupiedCell> occupied_;
   std::vector<CellFacet> facets_;
 };
+
+// REQUIRES that the box meets the cell: then it meets those children that are not beyond the centre along any axis.
+template <typename Visit>
+bool CellOctree::visit_facets(Node node, const OctreeCell& cell, const Box3d& box,
+                              const Visit& visit) const {
+  if (node >= kEmpty) return (node & kOccupied) == 0 || visit(facets(occupied_[node & kNumber]));
+  constexpr std::array<unsigned, 3> kLow = {0x55, 0x33, 0x0f};
+  const Point3d middle = to_point(cell.centre());
+  unsigned children = 0xff;
+  for (std::size_t k = 0; k < 3; ++k)
+    children &= (box.lo[k] <= middle[k] ? kLow[k] : 0u) | (box.hi[k] >= middle[k] ? ~kLow[k] : 0u);
+  for (; children != 0; children &= children - 1) {
+    const auto i = static_cast<unsigned>(std::countr_zero(children));
+    if (!visit_facets(nodes_[node + i], cell.child(i), box, visit)) return false;
+  }
+  return true;
+}
 
 }  // namespace veritope::internal

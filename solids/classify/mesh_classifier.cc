@@ -27,6 +27,14 @@ using namespace internal;
 namespace {
 
 constexpr std::size_t kChunkOfPoints = 1024;
+// A cell of the octree with no more facets than this is not divided.
+constexpr std::size_t kFewForPoints = 6, kFewForBoxes = 24;
+
+Box3d box_around(const std::array<Vec3d, 3>& corners) {
+  Box3d out = empty_box();
+  for (const Vec3d& p : corners) add(to_point(p), &out);
+  return out;
+}
 
 Box3d box_of(const TriangleMesh& mesh) {
   Box3d out = empty_box();
@@ -75,7 +83,7 @@ Error unbalanced_edge(const TriangleMesh& mesh) {
 
 class MeshClassifier::Body {
  public:
-  Body(const TriangleMesh& mesh, const MeshShells* shells)
+  Body(const TriangleMesh& mesh, const MeshShells* shells, LookupDetail detail)
       : mesh_(mesh), box_(box_of(mesh)), chains_(shells) {
     const std::optional<OctreeFrame> frame = OctreeFrame::around(box_);
     const auto vec = [](const Point3d& p) { return Vec3d{p[0], p[1], p[2]}; };
@@ -85,8 +93,13 @@ class MeshClassifier::Body {
     }
     const Vec3d& o = frame->origin;
     tests_.emplace(mesh, o, Vec3d{o.x + frame->size, o.y + frame->size, o.z + frame->size});
-    octree_.emplace(*tests_, *frame, num_facets(), chains_);
+    octree_.emplace(*tests_, *frame, num_facets(),
+                    detail == LookupDetail::kForPoints ? kFewForPoints : kFewForBoxes, chains_);
     tests_->reorder(octree_->renumber_facets(num_facets()));
+    if (detail != LookupDetail::kForBoxes) return;
+    boxes_.reserve(num_facets());
+    for (std::uint32_t f = 0; f < num_facets(); ++f)
+      boxes_.push_back(box_around(tests_->corners(f)));
   }
 
   template <typename Point>
@@ -114,7 +127,9 @@ class MeshClassifier::Body {
   // The box meets no facet if those of the cells that it meets miss it.
   Value3 value(const Box3d& box) const {
     if (!meets(box, box_)) return Value3::kZero;
-    const auto misses = [&](std::uint32_t f) { return !facet_meets(tests_->corners(f), box); };
+    const auto misses = [&](std::uint32_t f) {
+      return !is_near(f, box) || !facet_meets(tests_->corners(f), box);
+    };
     const auto all_miss = [&](std::span<const CellFacet> facets) {
       return std::all_of(facets.begin(), facets.end(),
                          [&](const CellFacet& f) { return misses(f.facet); });
@@ -141,11 +156,29 @@ class MeshClassifier::Body {
     return out;
   }
 
+  std::vector<std::uint32_t> facets_near(const Box3d& box) const {
+    std::vector<std::uint32_t> out;
+    const auto take = [&](std::uint32_t f) {
+      if (is_near(f, box)) out.push_back(tests_->id(f));
+    };
+    if (octree_) {
+      octree_->visit_facets(box, [&](std::span<const CellFacet> facets) {
+        for (const CellFacet& f : facets) take(f.facet);
+        return true;
+      });
+    } else {
+      for (std::uint32_t f = 0; f < num_facets(); ++f) take(f);
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+  }
+
   const Box3d& box() const { return box_; }
 
   LookupSize lookup() const {
     LookupSize out = octree_ ? octree_->size() : LookupSize{};
-    out.bytes += tests_->bytes();
+    out.bytes += tests_->bytes() + boxes_.size() * sizeof(Box3d);
     return out;
   }
 
@@ -153,6 +186,11 @@ class MeshClassifier::Body {
   static const Vec3d& rounded(const Vec3d& q) { return q; }
   static const Vec3d& rounded(const ScaledPoint& q) { return q.rounded; }
   std::uint32_t num_facets() const { return static_cast<std::uint32_t>(mesh_.faces.size()); }
+
+  // Whether the box of the facet meets the box.
+  bool is_near(std::uint32_t f, const Box3d& box) const {
+    return veritope::meets(boxes_.empty() ? box_around(tests_->corners(f)) : boxes_[f], box);
+  }
 
   // Neither a label nor a cell: outside of the box, or no octree.
   template <typename Point>
@@ -241,16 +279,18 @@ class MeshClassifier::Body {
   ShellChains chains_;
   std::optional<FacetTests> tests_;
   std::optional<CellOctree> octree_;
+  std::vector<Box3d> boxes_;  // of the facets, for LookupDetail::kForBoxes
 };
 
 MeshClassifier::MeshClassifier(std::unique_ptr<const Body> body) : body_(std::move(body)) {}
 MeshClassifier::MeshClassifier(MeshClassifier&&) noexcept = default;
 MeshClassifier::~MeshClassifier() = default;
 
-Result<MeshClassifier> MeshClassifier::make(const TriangleMesh& mesh, const MeshShells* shells) {
+Result<MeshClassifier> MeshClassifier::make(const TriangleMesh& mesh, const MeshShells* shells,
+                                            LookupDetail detail) {
   if (!is_cycle(mesh)) return unbalanced_edge(mesh);
   const ScopedDefaultFp nearest;
-  return MeshClassifier(std::make_unique<const Body>(mesh, shells));
+  return MeshClassifier(std::make_unique<const Body>(mesh, shells, detail));
 }
 
 PointAnswer MeshClassifier::classify(const Vec3d& point) const {
@@ -286,6 +326,11 @@ std::vector<std::uint32_t> MeshClassifier::facets_at(const Vec3d& point) const {
 std::vector<std::uint32_t> MeshClassifier::facets_at(const ExactPoint& point) const {
   const ScopedDefaultFp nearest;
   return body_->facets_at(ScaledPoint(point));
+}
+
+std::vector<std::uint32_t> MeshClassifier::facets_near(const Box3d& box) const {
+  const ScopedDefaultFp nearest;
+  return body_->facets_near(box);
 }
 
 const Box3d& MeshClassifier::box() const { return body_->box(); }

@@ -23,6 +23,12 @@ struct MeshShells {
   std::vector<std::uint32_t> depth;  ///< for each shell, the number of shells around it
 };
 
+/// How finely a look-up divides space. Answers do not depend on it.
+enum class LookupDetail {
+  kForPoints,  ///< many points: the fastest answers
+  kForBoxes,   ///< some thousands of boxes and points: half the time of building
+};
+
 /// Answers for points with respect to one mesh. Immutable: threads may share it.
 /// The winding number is that of the closed oriented surface; of a mesh that bounds a solid it is 1 inside, 0 outside.
 /// Each answer is exact: an octree finds the few facets near the point, and signs of determinants count those between
@@ -33,9 +39,11 @@ class MeshClassifier {
   /// solid. The mesh must outlive the classifier.
   /// @error kBadArgument if the triangles are no closed chain: an edge is not used equally often in both directions
   /// @cost  near-linear in the facets; approximately 150 bytes a facet
-  static Result<MeshClassifier> make(const TriangleMesh& mesh, const MeshShells* shells = nullptr);
+  static Result<MeshClassifier> make(const TriangleMesh& mesh, const MeshShells* shells = nullptr,
+                                     LookupDetail detail = LookupDetail::kForPoints);
   /// A temporary mesh would be gone before the first point.
-  static Result<MeshClassifier> make(TriangleMesh&&, const MeshShells* = nullptr) = delete;
+  static Result<MeshClassifier> make(TriangleMesh&&, const MeshShells* = nullptr,
+                                     LookupDetail = LookupDetail::kForPoints) = delete;
 
   MeshClassifier(MeshClassifier&&) noexcept;
   ~MeshClassifier();
@@ -54,6 +62,9 @@ class MeshClassifier {
   /// All facets that contain the point, in increasing order. REQUIRES finite coordinates.
   std::vector<std::uint32_t> facets_at(const Vec3d& point) const;
   std::vector<std::uint32_t> facets_at(const ExactPoint& point) const;
+  /// In increasing order, facets whose boxes meet the closed box: all that meet it themselves, and perhaps others.
+  /// REQUIRES a box that is not empty.
+  std::vector<std::uint32_t> facets_near(const Box3d& box) const;
 
   /// The box of the facets.
   const Box3d& box() const;

@@ -43,7 +43,7 @@ class PatchClassifier::Body {
         rays_(complex),
         is_valid_(is_valid),
         has_shells_(has_shells),
-        depths_(depths()),
+        depths_(find_depths()),
         octree_(
             rays_, [this](const RayPoint& q) { return label_at(q); }, levels) {}
 
@@ -85,6 +85,8 @@ class PatchClassifier::Body {
     return out;
   }
 
+  const std::vector<std::uint32_t>& depths() const { return depths_; }
+
   // The label at a point; nothing if it is not known to be off the surface.
   std::optional<RegionLabel> label_at(const RayPoint& q) const {
     const RayCount count = count_rounded(q);
@@ -97,10 +99,10 @@ class PatchClassifier::Body {
     return rays_.count_rounded(q, rays_.ray_from(q));
   }
 
-  // For each shell, how many others are around it.
-  std::vector<std::uint32_t> depths() const {
+  std::vector<std::uint32_t> find_depths() const {
+    if (!has_shells_) return {};
     std::vector<std::uint32_t> out(complex_.shells().size());
-    if (!has_shells_ || out.size() < 2) return out;
+    if (out.size() < 2) return out;
     for (std::uint32_t s = 0; s < out.size(); ++s) {
       const auto corner = point_of(complex_.patch(complex_.shells()[s].first_patch).corner(0));
       const RayPoint q(*corner, rays_.scale());
@@ -302,6 +304,7 @@ Value3 PatchClassifier::value(const Box3d& box) const {
   return body_->value(box);
 }
 Box3d PatchClassifier::box() const { return body_->box(); }
+const std::vector<std::uint32_t>& PatchClassifier::depths() const { return body_->depths(); }
 
 LookupSize PatchClassifier::lookup() const { return body_->lookup(); }
 

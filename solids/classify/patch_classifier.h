@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "predicates/vec.h"
 #include "robust/base/box3d.h"
@@ -68,6 +69,9 @@ class PatchClassifier {
   Value3 value(const Box3d& box) const;
   /// A box around the surface; infinite where binary64 ends.
   Box3d box() const;
+
+  /// For each shell how many others are around it; empty unless answers name shells.
+  const std::vector<std::uint32_t>& depths() const;
 
   LookupSize lookup() const;
 

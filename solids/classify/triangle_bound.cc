@@ -8,8 +8,7 @@
 
 namespace veritope {
 
-double distance_bound(const Box3& point, const std::array<Vec3d, 3>& triangle) {
-  const Point3d q = internal::approx_middle(point);
+std::array<double, 2> near_weights(const Point3d& q, const std::array<Vec3d, 3>& triangle) {
   std::array<Point3d, 3> p;
   for (std::size_t i = 0; i < 3; ++i) p[i] = {triangle[i].x, triangle[i].y, triangle[i].z};
   const auto minus = [](const Point3d& a, const Point3d& b) {
@@ -40,6 +39,13 @@ double distance_bound(const Box3& point, const std::array<Vec3d, 3>& triangle) {
   consider(0, 0);
   consider(1, 0);
   consider(0, 1);
+  return weights;
+}
+
+double distance_bound(const Box3& point, const std::array<Vec3d, 3>& triangle) {
+  const std::array<double, 2> weights = near_weights(internal::approx_middle(point), triangle);
+  std::array<Point3d, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) p[i] = {triangle[i].x, triangle[i].y, triangle[i].z};
   const Interval v(weights[0]), w(weights[1]);
   const Interval u = intersection(Interval(1.0) - v - w, Interval::from_bounds(0, 1));
   Box3 off;

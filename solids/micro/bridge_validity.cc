@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// What docs/formats/micro-files.md demands of bridges and materials.
+// What docs/formats/micro-files.md demands of bridges, sweeps and materials.
 #include <algorithm>
 #include <string>
 
@@ -26,6 +26,17 @@ Status check_cap_place(const Microstructure& micro, const CapPlace& cap, const s
                       std::to_string(cap.grid) + " holds no tile");
 }
 
+// Whether the coordinates of a point, or a vector, are short enough.
+Status check_bits(const TilePoint& p, const std::string& where, const std::string& name) {
+  constexpr auto kMost = static_cast<std::size_t>(kMaxBridgeBits);
+  for (std::size_t c = 0; c < 3; ++c)
+    if (std::max(p[c].numerator().bit_length(), p[c].denominator().bit_length()) > kMost)
+      return beyond_limit(where + "coordinate " + std::to_string(c) + " of " + name +
+                          " has a numerator or denominator of more than " + std::to_string(kMost) +
+                          " bits");
+  return ok_status();
+}
+
 Status check_net(const MicroBridge& bridge, const std::string& where) {
   for (const int degree : bridge.degrees)
     if (degree < 1 || degree > kMaxTileDegree)
@@ -37,15 +48,9 @@ Status check_net(const MicroBridge& bridge, const std::string& where) {
                         " points, and the degrees (" + std::to_string(bridge.degrees[0]) + ", " +
                         std::to_string(bridge.degrees[1]) + ", 2) need " +
                         std::to_string(bridge.num_points()));
-  constexpr auto kMost = static_cast<std::size_t>(kMaxBridgeBits);
   for (std::size_t i = 0; i < bridge.points.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Rational& x = bridge.points[i][c];
-      if (std::max(x.numerator().bit_length(), x.denominator().bit_length()) > kMost)
-        return beyond_limit(where + "coordinate " + std::to_string(c) + " of point " +
-                            std::to_string(i) + " has a numerator or denominator of more than " +
-                            std::to_string(kMost) + " bits");
-    }
+    if (Status status = check_bits(bridge.points[i], where, "point " + std::to_string(i)); !status)
+      return status;
   return ok_status();
 }
 
@@ -66,6 +71,23 @@ Status check_bridge(const Microstructure& micro, std::size_t bridge) {
     return bad_argument(where +
                         "its grid, cell and wall do not come after those of the bridge "
                         "before it");
+  return ok_status();
+}
+
+Status check_sweep(const Microstructure& micro, std::size_t sweep) {
+  const MicroSweep& s = micro.sweeps[sweep];
+  const std::string where = "sweep " + std::to_string(sweep) + ": ";
+  if (sweep >= kMaxMicroBridges)
+    return beyond_limit("there are more than " + std::to_string(kMaxMicroBridges) + " sweeps");
+  if (!micro.bridges.empty())
+    return bad_argument(where + "a microstructure with bridges has no sweeps");
+  if (Status status = check_cap_place(micro, s.cap, where); !status) return status;
+  for (std::size_t i = 0; i < s.axis.size(); ++i)
+    if (Status status = check_bits(s.axis[i], where, i == 0 ? "vector e" : "vector f"); !status)
+      return status;
+  if (sweep > 0 && !(micro.sweeps[sweep - 1].cap < s.cap))
+    return bad_argument(where +
+                        "its grid, cell and wall do not come after those of the sweep before it");
   return ok_status();
 }
 

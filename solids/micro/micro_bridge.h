@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/micro_bridge.h: solids that continue caps of tiles through empty cells to the skin of a model, in the
-// parameters of the cage. The format and its limits: docs/formats/micro-files.md. Source: [HPE22], algorithm 4.
+// solids/micro/micro_bridge.h: solids that continue caps of tiles to the skin of a model: bridges in the parameters
+// of the cage, and sweeps, which are bridges in space. The format and its limits: docs/formats/micro-files.md.
+// Source: [HPE22], algorithm 4.
 #pragma once
 #include <array>
 #include <compare>
@@ -42,6 +43,14 @@ struct MicroBridge {
     return static_cast<std::size_t>((i * (degrees[1] + 1) + j) * (kBridgeAxisDegree + 1) + k);
   }
   friend bool operator==(const MicroBridge&, const MicroBridge&) = default;
+};
+
+/// The image of the cap at `cap` in space, moved along a curve: (u, v, w) -> T(F(u, v)) + 2 w (1 - w) e + w^2 f, where
+/// F is the cap in the parameters of its cell's volume, T the map of that volume, and e and f are `axis`.
+struct MicroSweep {
+  CapPlace cap;
+  std::array<TilePoint, 2> axis;
+  friend bool operator==(const MicroSweep&, const MicroSweep&) = default;
 };
 
 }  // namespace veritope

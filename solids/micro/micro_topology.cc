@@ -21,7 +21,7 @@ class Topology {
       first += g.tiles.size();
     }
     counts_.cells = first;
-    counts_.bridges = micro.bridges.size();
+    counts_.bridges = micro.num_bridges();
   }
 
   std::variant<MicroCounts, MicroDefect> run(std::vector<CellPatch>* first_patches = nullptr) {
@@ -60,8 +60,11 @@ class Topology {
   // The cells with tiles that are not joined to one with a bridge, by grids. REQUIRES that run() found no defect.
   std::vector<std::vector<std::uint64_t>> without_bridges() {
     std::vector<char> is_held(counts_.cells);
-    for (const MicroBridge& b : micro_.bridges)
-      is_held[components_.find(number_of_cell({b.cap.grid, b.cap.cell, 0}))] = 1;
+    const auto hold = [&](const CapPlace& cap) {
+      is_held[components_.find(number_of_cell({cap.grid, cap.cell, 0}))] = 1;
+    };
+    for (const MicroBridge& b : micro_.bridges) hold(b.cap);
+    for (const MicroSweep& s : micro_.sweeps) hold(s.cap);
     return tiles_off([&](std::uint32_t root) { return is_held[root] != 0; });
   }
 

@@ -303,6 +303,8 @@ Status validate(const Microstructure& micro) {
   }
   for (std::size_t b = 0; b < micro.bridges.size(); ++b)
     if (Status status = check_bridge(micro, b); !status) return status;
+  for (std::size_t s = 0; s < micro.sweeps.size(); ++s)
+    if (Status status = check_sweep(micro, s); !status) return status;
   for (std::size_t m = 0; m < micro.materials.size(); ++m)
     if (Status status = check_material(micro, m); !status) return status;
   return ok_status();

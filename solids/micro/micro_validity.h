@@ -37,6 +37,9 @@ Status check_walls(const Microstructure& micro, std::size_t grid, std::size_t ax
 /// Whether the bridge starts at a wall of a cell with a tile, its volume exists, its net is as the page says, and its
 /// cap comes after that of the bridge before it; not whether it starts as a cap. REQUIRES check_cells of all grids.
 Status check_bridge(const Microstructure& micro, std::size_t bridge);
+/// Whether the sweep starts at a wall of a cell with a tile, its axis is as the page says, its cap comes after that of
+/// the sweep before it, and there are no bridges. REQUIRES check_cells of all grids.
+Status check_sweep(const Microstructure& micro, std::size_t sweep);
 /// REQUIRES check_breaks of all grids.
 Status check_material(const Microstructure& micro, std::size_t material);
 

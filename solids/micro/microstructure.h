@@ -20,7 +20,7 @@ namespace veritope {
 
 inline constexpr std::size_t kMaxMicroGrids = 65536;  ///< also the most volumes of a cage
 inline constexpr std::size_t kMaxGridsOfVolume = 4096;
-inline constexpr std::size_t kMaxBreakBits = 2048;   ///< of a numerator or denominator
+inline constexpr std::size_t kMaxBreakBits = 2048;  ///< of a numerator or denominator
 inline constexpr std::uint64_t kMaxMicroCells = std::uint64_t{1} << 27;
 
 /// Cells in a box of the parameters of a volume, and what they hold.
@@ -79,8 +79,11 @@ struct Microstructure {
   std::vector<MicroGrid> grids;  ///< by ascending volumes
   std::vector<MicroTile> tiles;
   std::vector<MicroBridge> bridges;  ///< by ascending caps
+  std::vector<MicroSweep> sweeps;    ///< by ascending caps; empty if bridges is not
   std::vector<MicroMaterial> materials;
 
+  /// Those in the parameters of the cage and those in space.
+  std::size_t num_bridges() const { return bridges.size() + sweeps.size(); }
   bool has_walls() const {
     for (const MicroTile& tile : tiles)
       if (tile.range.has_value()) return true;

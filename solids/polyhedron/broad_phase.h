@@ -21,9 +21,9 @@ class WorkShare;
 using FacetPair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// An 8-ary tree of boxes over groups of eight consecutive facets, in single precision under a monotone map
-/// (UnitScale), so that it misses no overlap. Walked in independent tasks. A decision takes this tree and a certificate
-/// BoxTree, whose nodes a page numbers: this one finds all pairs in a quarter of the time
-/// (docs/design/0032-trees-of-boxes.md).
+/// (UnitScale), so that it misses no overlap. Walked in independent tasks. A decision takes this tree, and so does
+/// a certificate without separators. Separators need BoxTree, whose nodes a page numbers: this one finds all pairs in a
+/// quarter of the time (docs/design/0032-trees-of-boxes.md).
 class BoxGroups {
  public:
   /// REQUIRES fewer than 2^30 facets in `order`. 36 bytes per facet.

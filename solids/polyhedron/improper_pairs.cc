@@ -10,6 +10,7 @@
 #include "robust/base/work_share.h"
 #include "solids/polyhedron/approx_overlap.h"
 #include "solids/polyhedron/box_tree.h"
+#include "solids/polyhedron/facet_meetings.h"
 #include "solids/polyhedron/separator.h"
 
 namespace veritope {
@@ -185,7 +186,7 @@ std::vector<Finds> walk_with_separators(const TriangleMesh& mesh, const std::vec
 ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& boxes,
                                   const std::vector<std::uint32_t>& facets, const VertexStars& stars,
                                   std::size_t max_listed, unsigned jobs, const FaceCopies& copies,
-                                  WorkShare* work) {
+                                  WorkShare* work, MeetingCollector* collector) {
   ImproperPairs out;
   out.is_ordered = max_listed == 0 || !copies.groups().empty();
   if (facets.empty()) return out;
@@ -193,7 +194,9 @@ ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& box
   std::vector<Finds> finds(boxes.num_tasks(), none);
   const std::uint64_t budget = kBudgetPerFacet * facets.size() + 4096;
   out.long_thin = !boxes.for_each_overlap(budget, jobs, [&](std::size_t task, std::span<const FacetPair> pairs) {
-    for (const auto& [f, g] : pairs) finds[task].decide(f, g);
+    const auto decide = [&](std::uint32_t f, std::uint32_t g) { finds[task].decide(f, g); };
+    if (collector != nullptr) return collector->take(task, pairs, decide);
+    for (const auto& [f, g] : pairs) decide(f, g);
   }, work);
   if (out.long_thin) finds = walk_with_separators(mesh, facets, stars, none, jobs, work);
   finds.push_back(none);

@@ -26,14 +26,18 @@ struct ImproperPairs {
   bool long_thin = false;         ///< the box groups gave up and the separator walk decided
 };
 
+class MeetingCollector;
+
 /// Finds the pairs among the facets of `boxes` and their copies: a pair of facets stands for as many pairs as they have
 /// copies, and the copies of one facet meet each other.
 /// REQUIRES that none of the facets is degenerate, and that none is a copy of another one. The result does not depend
-/// on jobs. `work` may be null; its steps are the search by boxes and, for long thin facets, the walk.
+/// on jobs. `work` may be null; its steps are the search by boxes and, for long thin facets, the walk. The collector,
+/// if there is one, takes the pairs that the boxes found; all of them unless facets are long and thin.
 ImproperPairs find_improper_pairs(const TriangleMesh& mesh, const BoxGroups& boxes,
                                   const std::vector<std::uint32_t>& facets, const VertexStars& stars,
                                   std::size_t max_listed, unsigned jobs,
-                                  const FaceCopies& copies = {}, WorkShare* work = nullptr);
+                                  const FaceCopies& copies = {}, WorkShare* work = nullptr,
+                                  MeetingCollector* collector = nullptr);
 
 /// The ordered list of pairs that are not ordered.
 /// @cost approximately 0.5 microseconds a pair.

@@ -50,6 +50,7 @@ class Decision {
     decide_nesting();
     for (std::size_t i = 0; i < kNumMeshRules; ++i) any_ = any_ || report_.rule_counts[i] != 0;
     report_.is_valid = !any_;
+    if (any_) report_.meetings = {};
     if (any_) keep_evidence();
     return std::move(report_);
   }
@@ -118,12 +119,16 @@ class Decision {
     facets_ = proper_facets(mesh_.faces.size(), signs_.degenerate);
     copies_ = proper_copies();
     if (!copies_.groups().empty()) facets_ = copies_.without_copies(facets_);
-    boxes_.emplace(mesh_, morton_order(mesh_, facets_, scale, options_.jobs), report_.stars, scale,
-                   options_.jobs);
+    std::vector<std::uint32_t> order = morton_order(mesh_, facets_, scale, options_.jobs);
+    boxes_.emplace(mesh_, order, report_.stars, scale, options_.jobs);
+    std::optional<MeetingCollector> collector;
+    if (options_.keep_meetings && facets_.size() == mesh_.faces.size())
+      collector.emplace(mesh_, std::move(order), *boxes_);
     report_.seconds.boxes = watch_.lap();
     pairs_ = find_improper_pairs(mesh_, *boxes_, facets_, report_.stars, options_.max_defects, options_.jobs,
-                                 copies_, options_.work);
+                                 copies_, options_.work, collector ? &*collector : nullptr);
     report_.long_thin = pairs_.long_thin;
+    if (collector && !pairs_.long_thin && pairs_.count == 0) report_.meetings = collector->finish();
     report_.places = std::move(pairs_.places);
     rule(MeshRule::kM7) = report_.counts.selfint_pairs = pairs_.count;
     report_.seconds.pairs = watch_.lap();

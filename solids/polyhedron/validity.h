@@ -11,6 +11,7 @@
 
 #include "solids/base/finding.h"
 #include "robust/rational.h"
+#include "solids/polyhedron/facet_meetings.h"
 #include "solids/polyhedron/improper_places.h"
 #include "solids/polyhedron/nesting.h"
 #include "solids/polyhedron/open_edges.h"
@@ -55,6 +56,7 @@ struct ValidityOptions {
   unsigned jobs = 1;              ///< threads; the report is the same for every number
   std::size_t max_defects = 20;   ///< that list_defects can list for each rule; all are counted
   WorkShare* work = nullptr;      ///< if not null, it shows how many of the comparisons of faces are done
+  bool keep_meetings = false;     ///< the report of a valid mesh has them, for a certificate
 };
 
 /// Seconds that the parts of the decision took, for bench/ and for curious users.
@@ -94,6 +96,7 @@ struct ValidityReport {
   // What the certificate is made from.
   VertexStars stars;
   Nesting nesting;
+  FacetMeetings meetings;  ///< of a valid mesh, if they are kept and not long_thin
 };
 
 /// Decides rules M1-M9. REQUIRES finite coordinates, ids in range, fewer than 2^30 faces, at least one face.

@@ -385,7 +385,7 @@ class Skin(Judged):
             self.reject(self.with_bridge(), solid, "S1", skin=skin)
         self.accept(self.with_bridge(), solid, skin="9" * 100 + "/" + "9" * 100)
         self.reject(middle(), solid, "I4", skin="1")
-        for changes in ({"model_format": "vjson"}, {"model_format": "off,ply"}, {"model_sha256": "0"}, {"more": 1}):
+        for changes in ({"model_format": "vmicro"}, {"model_format": "vjson-"}, {"model_format": "off,ply"}, {"model_sha256": "0"}, {"more": 1}):
             self.reject(middle(), solid, "S1", **changes)
         self.reject(middle(), solid, "S2", reading_rule="")
 

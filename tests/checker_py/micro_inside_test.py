@@ -22,7 +22,7 @@ from veritope_checker import program                      # noqa: E402
 from veritope_checker.mesh import mesh_model              # noqa: E402
 from veritope_checker.patches.model_subject import read_volumes    # noqa: E402
 from veritope_checker.common.errors import Reject         # noqa: E402
-from veritope_checker.micro import inside_mesh, inside_nodes, inside_points, inside_space, inside_surface, micro_check, micro_read    # noqa: E402
+from veritope_checker.micro import inside_mesh, inside_nodes, inside_parts, inside_points, inside_space, inside_surface, micro_check, micro_read    # noqa: E402
 
 UNIT = examples.UNIT
 move, join, turned, CUBE = meshes.move, meshes.join, meshes.turned, meshes.CUBE
@@ -54,7 +54,7 @@ def cubes(*boxes):
     return mesh
 
 
-class InsideTest(unittest.TestCase):
+class Judged(unittest.TestCase):
     def says(self, expected, plan, skip=(), certificate=None, model=None):
         certificate = certificate or plan.certificate()
         code, line = program._check(plan.micro.text(), certificate, frozenset(skip), second=model or plan.model())
@@ -65,6 +65,8 @@ class InsideTest(unittest.TestCase):
         self.says(condition, plan)
         self.says("ACCEPT", plan, (condition,))
 
+
+class InsideTest(Judged):
     # ------------------------------------------------------------ honest
 
     def test_cages_in_a_cube(self):
@@ -138,7 +140,7 @@ class InsideTest(unittest.TestCase):
     def test_statements(self):
         plan = insides.Inside(with_bridges(small()), AROUND)
         for values in ({"skin": ""}, {"skin": "1/0"}, {"skin": "1/00"}, {"skin": "-1"}, {"skin": "1.5"}, {"skin": "1/2/3"}, {"skin": "1/"}, {"skin": "/2"},
-                       {"skin": "1" * 101}, {"skin": "1/" + "1" * 101}, {"skin": 1}, {"model_format": "vjson"}, {"model_sha256": "0"}, {"model_bytes": "1"},
+                       {"skin": "1" * 101}, {"skin": "1/" + "1" * 101}, {"skin": 1}, {"model_format": "chain"}, {"model_sha256": "0"}, {"model_bytes": "1"},
                        {"as_indexed": 1}, {"more": 1}):
             self.says("S1", plan.changed(values=values))
         self.says("S2", plan.changed(values={"reading_rule": "another"}))
@@ -385,7 +387,7 @@ class BoundsTest(unittest.TestCase):
                 far = min(max(max(lo - c, c - lo - side) for c, lo in zip(p, least)) for p in places)
                 holds = True
                 try:
-                    inside_surface.Surface(checker.model, checker.tiles, inside_mesh.Triangles(mesh)).test_i1()
+                    inside_surface.Surface(inside_parts.Parts(checker.model, checker.tiles), inside_mesh.Triangles(mesh)).test_i1()
                 except Reject:
                     holds = False
                 self.assertFalse(is_cut and holds, (name, least, side))

@@ -253,6 +253,47 @@ class MicroCommand(support.Folder):
         flat = self.micro("--model", solid, counts="8,8,8")["bridges"]
         self.assertEqual((flat["caps"], flat["built"], flat["dropped"]["flat"]), (216, 0, 216))
 
+    def test_free_caps_are_swept_to_the_skin_of_the_model(self):
+        solid, mesh = self.folder / "cube.off", self.folder / "out.ply"
+        solid.write_text(cube("0.5", "7.5"))
+        report = self.micro("--model", solid, "--bridge", "space", "--mesh", mesh, "--chord", "0.05", counts="8,8,8")
+        bridges = report["bridges"]
+        self.assertEqual((report["tiles"]["kept"], bridges["caps"], bridges["built"], sum(bridges["dropped"].values())), (216, 216, 216, 0))
+        self.assertLess(bridges["kink_degrees"]["hi"], 1e-3)
+        self.assertTrue(0 < bridges["reach"]["lo"] <= bridges["reach"]["hi"] <= 0.07 * 3**0.5, bridges)
+        written = json.loads(self.out.read_text())
+        self.assertEqual((len(written["sweeps"]), "bridges" in written), (216, False))
+        file = support.only_file(mesh)
+        self.assertEqual((file["verdict"], file["counts"]["shells"], file["counts"]["genus"]), ("VALID", 1, report["genus"]))
+        sha = report["output"]["sha256"]
+        for jobs in (1, 3):
+            again = self.micro("--model", solid, "--bridge", "space", "--jobs", jobs, counts="8,8,8")
+            self.assertEqual(again["output"]["sha256"], sha)
+        near = self.micro("--model", solid, "--bridge", "space", "--alpha", "1/3", "--skin", "0.01", counts="8,8,8")
+        self.assertLessEqual(near["bridges"]["reach"]["hi"], 0.01)
+        held = self.micro("--model", solid, "--bridge", "space", "--connected", counts="8,8,8")
+        self.assertEqual((held["tiles"]["kept"], held["tiles"]["floating"]), (216, 0))
+        for arguments in ((), ("--model", solid)):
+            decided = json.loads(run("certify", self.out, *arguments, "--no-check", "--json", "-").stdout)["files"][0]
+            self.assertEqual((decided["verdict"], decided["counts"]["bridges"], decided["counts"]["genus"]), ("VALID", 216, report["genus"]))
+        self.assertIn("216 bridges in space", run("info", self.out).stdout)
+
+    def test_sweeps_begin_with_a_kink_in_a_sheared_cage(self):
+        # (u + w / 2, v, w): the lines of w meet the walls at 90 - 26.565 degrees, and sweeps begin along the normal.
+        sheared = json.loads(self.box.read_text())
+        shape = sheared["entities"][0]["shape"]
+        shape["points"] = [[str(Fraction(x) + Fraction(z) / 2), y, z] for x, y, z in shape["points"]]
+        cage, solid = self.folder / "sheared.vjson", self.folder / "cube.off"
+        cage.write_text(json.dumps(sheared))
+        solid.write_text(cube("4.2", "7.8"))
+        report = self.micro("--model", solid, "--bridge", "space", tile="branch,arms=w0+w1", cage=cage, counts="8,8,16")
+        self.assertGreater(report["bridges"]["built"], 10)
+        kink = report["bridges"]["kink_degrees"]
+        self.assertAlmostEqual(kink["lo"], 26.565051177, 4)
+        self.assertAlmostEqual(kink["hi"], 26.565051177, 4)
+        domain = self.micro("--model", solid, tile="branch,arms=w0+w1", cage=cage, counts="8,8,16")
+        self.assertEqual(domain["bridges"]["kink_degrees"], {"lo": 0, "hi": 0})
+
     def test_parts_that_no_bridge_holds_are_floating(self):
         solid = self.folder / "cube.off"
         solid.write_text(cube("0.999", "7.001"))
@@ -266,7 +307,8 @@ class MicroCommand(support.Folder):
         solid = self.folder / "cube.off"
         solid.write_text(cube(1, 7))
         for arguments, why in ((["--bridge", "domain"], "--bridge domain needs --model"), (["--alpha", "1/2"], "which need --model"),
-                               (["--skin", "1"], "which need --model"), (["--bridge", "space", "--model", solid], "must be domain or none, not space"),
+                               (["--skin", "1"], "which need --model"), (["--bridge", "space"], "--bridge space needs --model"),
+                               (["--bridge", "spaces", "--model", solid], "must be domain, space or none, not spaces"),
                                (["--model", solid, "--bridge", "none", "--skin", "1"], "--bridge none builds none"),
                                (["--model", solid, "--alpha", "0"], "needs a number over 0"), (["--model", solid, "--alpha", "3/2"], "needs a number over 0")):
             done = run("micro", "--cage", self.box, "--tile", "jack", "--counts", "4,4,4", "-o", self.out, *arguments)

@@ -56,10 +56,85 @@ class MicroCurves(support.Folder):
         kept = [r for r in rows if r["status"] == "kept"]
         self.assertEqual(len(kept), report["tiles"]["kept"])
         self.assertEqual({(r["i"], r["j"], r["k"]) for r in kept}, {(i, j, k) for i in "12" for j in "12" for k in "12"})
-        self.assertEqual((report["composed"]["patches"], report["composed"]["curves"], report["output"], report["bridges"], report["genus"]),
-                         (8 * 12, 8 * 12, None, None, None))
+        self.assertEqual((report["composed"]["patches"], report["composed"]["curves"], report["output"], report["genus"]), (8 * 12, 8 * 12, None, None))
         self.assertEqual({e["kind"] for e in json.loads(self.out.read_text())["entities"]}, {"curve"})
+        self.assertTrue(all(Fraction(1, 2) < x < Fraction(7, 2) for p in self.points() for x in p))
+        unbridged = self.emit("--model", self.model, "--bridge", "none")
+        self.assertIsNone(unbridged["bridges"])
         self.assertTrue(all(1 <= x <= 3 for p in self.points() for x in p))
+
+    def test_free_ends_are_bridged_to_the_surface(self):
+        report = self.emit("--model", self.model, "--skin", "0.05")
+        self.assertEqual(report["bridges"] | {"reach": None}, {"caps": 24, "built": 24, "kink_degrees": {"lo": 0, "hi": 0}, "reach": None,
+                                                                "dropped": dict.fromkeys(("flat", "box", "folded", "tile", "skin", "bridge"), 0)})
+        self.assertTrue(0 < report["bridges"]["reach"]["lo"] <= report["bridges"]["reach"]["hi"] <= 0.05, report["bridges"])
+        document = json.loads(self.out.read_text())
+        self.assertEqual([g["name"] for g in document["groups"]], ["bridges"])
+        curves = [[[Fraction(x) for x in p] for p in e["shape"]["points"]] for e in document["entities"] if e["group"] is None]
+        bridges = [[[Fraction(x) for x in p] for p in e["shape"]["points"]] for e in document["entities"] if e["group"] == 0]
+        self.assertEqual((len(curves), len(bridges)), (96, 24))
+        steps = {tuple(c[k]): [a - b for a, b in zip(c[k], c[k - 1 if k else 1])] for c in curves for k in (0, -1)}
+        low, high = [Fraction(1, 2)] * 3, [Fraction(7, 2), Fraction(13, 4), Fraction(7, 2)]
+        for p, q, r in bridges:
+            step, way = steps[tuple(p)], [a - b for a, b in zip(q, p)]
+            self.assertEqual([step[i] * way[j] for i in range(3) for j in range(3)], [step[j] * way[i] for i in range(3) for j in range(3)])
+            self.assertGreater(sum(a * b for a, b in zip(step, way)), 0)
+            depth = min(min(x - a, b - x) for x, a, b in zip(r, low, high))
+            self.assertTrue(0 < depth <= Fraction(1, 20), r)
+        self.assertIn("24 of 24 free ends", self.micro("--emit", self.out, "--model", self.model).stdout)
+
+    def test_bridges_are_written_in_each_format_for_every_number_of_jobs(self):
+        for ending in ("vjson", "itd", "vtu"):
+            path, texts = self.folder / f"out.{ending}", []
+            for jobs in (1, 2):
+                self.emit("--model", self.model, "--jobs", jobs, path=path)
+                texts.append(path.read_bytes())
+            self.assertEqual(texts[0], texts[1])
+            if ending == "vtu":
+                numbers = {name: texts[0].split(f'Name="{name}"'.encode())[1].split(b"</DataArray>")[0].split(b">", 1)[1].split() for name in ("patch", "bridge", "tile", "types")}
+                self.assertEqual((len(numbers["patch"]), len(numbers["bridge"]) - numbers["bridge"].count(b"-1"), set(numbers["tile"]), set(numbers["types"])), (120, 24, {b"0"}, {b"75"}))
+            else:
+                (info,) = json.loads(run("info", path, "--json", "-").stdout)["files"]
+                self.assertEqual(info["counts"]["entities"], 120)
+
+    def test_bridges_lead_to_models_of_splines_and_ends_that_none_reaches_are_counted(self):
+        ball = self.volumes("ball", {"op": "place", "matrix": [[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 2]], "of": {"op": "sphere", "radius": "3/2"}})
+        report = self.emit("--model", ball, "--alpha", "1/4", counts="6,6,6")
+        self.assertEqual(report["bridges"]["caps"], report["bridges"]["built"])
+        self.assertGreater(report["bridges"]["built"], 20)
+        for e in json.loads(self.out.read_text())["entities"]:
+            if e["group"] == 0:
+                square = sum((Fraction(x) - 2) ** 2 for x in e["shape"]["points"][2])
+                self.assertTrue(Fraction(7, 5) ** 2 < square < Fraction(3, 2) ** 2)
+        report = self.emit("--model", self.model, "--skin", "1e-18")
+        self.assertEqual((report["bridges"]["built"], report["bridges"]["dropped"]["skin"]), (0, 24))
+        self.assertIn("0 of 24 free ends; not built: 24 skin", self.micro("--emit", self.out, "--model", self.model, "--skin", "1e-18").stdout)
+
+    def test_curves_are_drawn(self):
+        self.emit("--model", self.model)
+        sheets = self.folder / "sheets.vjson"
+        self.emit("--model", self.model, path=sheets, tile="jack-surfaces")
+        for name in ("a.png", "a.vtu", "a.gltf", "a.obj"):
+            picture = self.folder / name
+            done = run("render", self.out, "-o", picture, "--around", self.model, "--json", "-", *(["--size", "200,150"] if name == "a.png" else []))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            report = json.loads(done.stdout)
+            self.assertEqual(schema.faults(report), [])
+            self.assertEqual((report["curves"], report["micro"]), ({"curves": 96, "sheets": 0, "bridges": 24, "around": str(self.model)}, None))
+            done = run("render", self.out, "-o", picture, *([] if name == "a.vtu" else ["--chord", "0.5"]))
+            self.assertIn("96 curves, 24 bridges", done.stdout, done.stderr)
+        before = self.listing()
+        for arguments, status, message in ((("--nets",), 2, "--nets is for files of volumes"), (("--explode", "1"), 2, "--explode is for"),
+                                           (("--around", self.folder / "none.off"), 4, "none.off"), (("--grid", "4"), 3, "UNDECIDED"),
+                                           (("--grid", "4", "--around", self.model), 2, "--around is for microstructures and curves")):
+            done = run("render", self.out, "-o", self.folder / "b.png", *arguments)
+            self.assertEqual(done.returncode, status, (arguments, done.stderr, done.stdout))
+            self.assertIn(message, " ".join((done.stdout + done.stderr).split()))
+        for other in (self.cage, self.model, sheets):
+            done = run("render", other, "-o", self.folder / "b.png", "--around", self.model)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("--around is for microstructures and curves", done.stderr)
+        self.assertEqual(self.listing(), before)
 
     def test_without_a_model_all_cells_are_written_in_each_format_for_every_number_of_jobs(self):
         for tile, patches, curves in (("curves3", 12, 12), ("curves3,radius=1/8,parts=7", 21, 21), ("jack-surfaces", 24, 0)):
@@ -128,7 +203,9 @@ class MicroCurves(support.Folder):
                 ((), "curves3", "--emit is required"), ((), "jack", "-o OUT.vmicro is required"), (("--emit", self.out), "jack", "-o OUT.vmicro is required"),
                 (("--emit", self.out, "--mesh", self.folder / "m.ply", "--chord", "1"), "curves3", "--mesh"),
                 (("--emit", self.out, "--connected"), "curves3", "--connected"), (("--emit", self.out, "--material", "heat=1"), "curves3", "--material"),
-                (("--emit", self.out, "--model", self.model, "--skin", "0.1"), "curves3", "--skin"),
+                (("--emit", self.out, "--model", self.model, "--skin", "0.1"), "jack-surfaces", "sheets get no bridges"),
+                (("--emit", self.out, "--skin", "0.1"), "curves3", "--model"), (("--emit", self.out, "--bridge", "domain"), "curves3", "--model"),
+                (("--emit", self.out, "--model", self.model, "--bridge", "none", "--alpha", "1/2"), "curves3", "--alpha"),
                 (("--emit", self.out, "--double", "w=1"), "curves3", "--double"), (("--emit", self.out, "--thickness", "1/8"), "curves3", "--thickness"),
                 (("--emit", self.out), "curves3,radius=1/4", "radius = 1/4"), (("--emit", self.out), "curves3,parts=0", "parts = 0"),
                 (("--emit", self.out), "curves3,parts=x", "parts"), (("--emit", self.out), "curves3,node=1", "no key node"),

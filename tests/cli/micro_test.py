@@ -39,7 +39,7 @@ class Micro(unittest.TestCase):
                      "  range        numbers of walls from 0/2^20 to 1048576/2^20\n"):
             self.assertIn(line, done.stdout)
         (file,) = self.files(run("info", SOUND, "--json", "-"))
-        self.assertEqual(file["counts"], {"volumes": 1, "grids": 1, "cells": 3, "tiles": 3, "different_tiles": 2})
+        self.assertEqual(file["counts"], {"volumes": 1, "grids": 1, "cells": 3, "tiles": 3, "different_tiles": 2, "bridges": 0})
         self.assertEqual((file["format"], file["range"], file["exit"]), ("vmicro", [0, 2**20], 0))
 
     def test_certify_decides(self):

@@ -158,15 +158,25 @@ MicroBody micro() {
   b.tiles.push_back(StarTileProof{{half, odd, half}, 300});
   b.tiles.push_back(star_2());
   b.tiles.push_back(StarTileProof{{half, half, half}, 0});
-  b.bridges.push_back({{half, odd, half, odd, half, odd, odd, odd, half}, {}});
-  b.bridges.push_back({{half, half, half, odd, half, odd, odd, odd, half}, {odd, half}});
+  b.bridges =
+      std::vector<BridgeProof>{{{half, odd, half, odd, half, odd, odd, odd, half}, {}},
+                               {{half, half, half, odd, half, odd, odd, odd, half}, {odd, half}}};
   b.cage = vmodel();
   return b;
 }
 
-MicroInsideBody micro_inside(const ValidBody& solid) {
+MicroBody micro_with_sweeps() {
+  MicroBody b = micro();
   const Fraction half{false, {1}, {2}}, odd{true, {3, 1}, {7, 9}};
-  return {micro(), solid, {{7, {half, odd, half}, 8}, {0, {odd, odd, half}, 3}}};
+  b.bridges =
+      std::vector<SweepProof>{{{half, odd, half, odd, half, odd, odd, odd, half}, half, half},
+                              {{half, half, half, odd, half, odd, odd, odd, half}, odd, half}};
+  return b;
+}
+
+MicroInsideBody micro_inside(std::variant<ValidBody, StarBoxBody> solid) {
+  const Fraction half{false, {1}, {2}}, odd{true, {3, 1}, {7, 9}};
+  return {micro(), std::move(solid), {{7, {half, odd, half}, 8}, {0, {odd, odd, half}, 3}}};
 }
 
 // A body of each kind of finding.
@@ -212,8 +222,9 @@ std::map<std::string, Example, std::less<>> examples() {
   const ModelKinds mixed{{false, true, false}};
   std::map<std::string, Example, std::less<>> all;
   const MicroInsideBody inside = micro_inside(valid);
-  all["micro-inside-1"] = {
-      encode(subject, MicroQuantities{}, InsideStatement{}, inside), {inside}, {}};
+  all["micro-inside-1"] = {encode(subject, MicroQuantities{}, InsideStatement{}, inside),
+                           {inside, micro_inside(star_2())},
+                           {}};
   all["mesh-valid-1"] = {encode(subject, Quantities{}, valid), {valid}, {}};
   all["mesh-invalid-1"] = {encode(subject, broken), {broken}, {}};
   valid.num_vertex_ids = 2;  // fewer, so that the bits of ten triangles fill two bytes
@@ -239,7 +250,8 @@ std::map<std::string, Example, std::less<>> examples() {
   VModelQuantities of_cells;
   of_cells.euler = -3;
   all["vmodel-1"] = {encode(subject, of_cells, vmodel()), {vmodel()}, {}};
-  all["microstructure-1"] = {encode(subject, MicroQuantities{}, micro()), {micro()}, {}};
+  all["microstructure-1"] = {
+      encode(subject, MicroQuantities{}, micro()), {micro(), micro_with_sweeps()}, {}};
   std::vector<AnyBody> findings;
   for (const VModelInvalidBody& body : invalid_vmodels()) findings.emplace_back(body);
   all["vmodel-invalid-1"] = {encode(subject, invalid_vmodels()[0]), std::move(findings), {}};

@@ -26,9 +26,29 @@ TEST(SplineStream, PartsAreTheBytesOfTheWholeModel) {
       SplineModel entities;
       for (int n = 0; n < part; ++n) entities.entities.push_back(surface(10 * part + n));
       if (part > 1) text += stream.separator();
-      text += stream.part(entities);
+      text += stream.part(entities.entities);
       whole.entities.insert(whole.entities.end(), entities.entities.begin(),
                             entities.entities.end());
+      EXPECT_EQ(text + stream.end(), spline_bytes(whole, format));
+    }
+  }
+}
+
+TEST(SplineStream, PartsMayBeInGroups) {
+  for (const SplineFormat format : {SplineFormat::kJson, SplineFormat::kItd}) {
+    SplineModel whole;
+    whole.groups = {{"bridges", {}, std::nullopt}, {"others", {}, std::nullopt}};
+    const SplineStream stream(format, whole.groups);
+    std::string text = stream.begin();
+    for (std::size_t part = 0; part < 3; ++part) {
+      std::vector<SplineEntity> entities;
+      for (int n = 0; n < 3; ++n) {
+        entities.push_back(surface(static_cast<int>(10 * part) + n));
+        if (part > 0) entities.back().group = part - 1;
+      }
+      whole.entities.insert(whole.entities.end(), entities.begin(), entities.end());
+      if (part > 0) text += stream.separator();
+      text += stream.part(std::move(entities));
       EXPECT_EQ(text + stream.end(), spline_bytes(whole, format));
     }
   }

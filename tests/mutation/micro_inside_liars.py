@@ -19,11 +19,12 @@ import mesh_models as meshes                              # noqa: E402
 import micro_bridge_examples as bridged                   # noqa: E402
 import micro_examples as examples                         # noqa: E402
 import micro_inside_examples as insides                   # noqa: E402
+import micro_spline_liars                                 # noqa: E402
 import micro_variants                                     # noqa: E402
 import vmodel_liars                                       # noqa: E402
 import vmodel_models                                      # noqa: E402
 
-CONDITIONS = ["A1", "B2", "I1", "I2", "I3", "I4", "W3"]
+CONDITIONS = ["A1", "B2", "I0", "I1", "I2", "I3", "I4", "W3"]
 HALF = (Q(1, 2),) * 3
 KEYS, FRAMES = examples.KEYS, 32                          # a proof of a box takes 0.03 s
 
@@ -264,7 +265,8 @@ def wrong_structures(rng):
     yield "solid", insides.Inside(plan, frame.placed(dented))
 
 
-STRATEGIES = ((bubbles, 10), (on_the_surface, 12), (elsewhere, 10), (short_skins, 4), (wrong_numbers, 4), (wrong_structures, 2))
+STRATEGIES = ((bubbles, 10), (on_the_surface, 12), (elsewhere, 10), (short_skins, 4), (wrong_numbers, 4), (wrong_structures, 2),
+              *micro_spline_liars.STRATEGIES)
 
 
 def inside_attacks(rng):
@@ -340,7 +342,7 @@ class Run(vmodel_liars.Run):
 
     @staticmethod
     def honest_certificates(rng):
-        plan = honest_plan(rng)
+        plan = honest_plan(rng) if rng.random() < .5 else micro_spline_liars.honest_plan(rng)
         yield "inside", Case(plan.micro.text(), plan.model()), plan.certificate()
 
     def more(self, case):

@@ -15,6 +15,7 @@ from fractions import Fraction as Q
 import attacks
 import patch_attacks
 import micro_bridge_liars
+import micro_sweep_liars
 import micro_variants
 import vmodel_liars
 
@@ -22,7 +23,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import micro_examples as examples                         # noqa: E402
 
 PARTS = ["T2 cap", "T2 body", "T2 side", "T2 corner"]      # of T2, each of which must be needed alone
-CONDITIONS = ["B2", "S0", "F1", "F2", "F3", "T2", "T3", "G1", "G2", "T4", "R1", "R2", "R3", "R4", "W3"]
+CONDITIONS = ["B2", "S0", "F1", "F2", "F3", "T2", "T3", "G1", "G2", "T4", "R1", "R2", "R3", "R4", "Q1", "Q2", "Q3", "Q4", "W3"]
 OF_CAGES = ["V1", "V2", "V3", "V4", "C1", "C2", "C3", "C4", "W1", "W2", "P1"]
 UNIT, HALF, HAIR = examples.UNIT, examples.HALF, Q(1, 1 << 60)
 models, forge = vmodel_liars.models, vmodel_liars.forge
@@ -267,6 +268,7 @@ def honest(rng):
     """(name, model, certificate)"""
     r = rng.random()
     micro = coarse_and_fine(rng) if r < .1 else turned_pair(rng).settled() if r < .2 else some_micro(rng)
+    micro = micro_sweep_liars.honest_plan(rng) if r > .85 else micro
     yield "micro", micro.text(), micro.certificate()
 
 
@@ -772,8 +774,9 @@ def malformed(rng):
 STRATEGIES = ((open_tiles, 8), (folded_tiles, 8), (wound_tiles, 8), (full_cells, 5), (bulging, 6), (keels, 4), (crossing_keels, 3), (tips, 5), (pinched, 5), (bad_members, 6),
               (out_of_range, 6), (in_collapsed_walls, 6), (caps_that_differ, 14), (numbers_that_differ, 8), (driven_by_other_walls, 4), (turned_caps, 4),
               (coarse_and_fine_overlap, 6), (wrong_numbers, 8), (other_cells, 4), (bad_hints, 4), (false_cages, 10), (malformed, 1),
-              *micro_bridge_liars.STRATEGIES)
-ALONE = (false_cages, malformed, micro_bridge_liars.forged_slices, micro_bridge_liars.false_boxes)      # their lies are in the cage or the body
+              *micro_bridge_liars.STRATEGIES, *micro_sweep_liars.STRATEGIES)
+ALONE = (false_cages, malformed, micro_bridge_liars.forged_slices, micro_bridge_liars.false_boxes,      # their lies are in the cage or the body
+         micro_sweep_liars.forged_hints)
 VARIANTS = 40                                             # of each other lie
 
 

@@ -85,7 +85,7 @@ def variants(lie, rng, n):
     """n of them. REQUIRES: no method of lie was replaced, but its fields alone."""
     proofs = getattr(lie, "proofs", [None] * len(lie.tiles))
     tiles = [tile if proof else Written(tile) for tile, proof in zip(lie.tiles, proofs)]
-    moves, has_bridges = can_move(lie), bool(getattr(lie, "bridges", ()))
+    moves, has_bridges = can_move(lie) and not getattr(lie, "sweeps", ()), bool(getattr(lie, "bridges", ()))
     for _ in range(n):
         new = [tile.shuffled(rng) if isinstance(tile, Written) else tile for tile in tiles]
         fields = {"tiles": new, "hints": [(centre, tile.order.index(exit) if isinstance(tile, Written) and exit < len(tile.order) else exit)

@@ -2,7 +2,9 @@
 // The values of boxes and the facets at points of solids/classify.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "solids/classify/facet_box_internal.h"
 #include "solids/classify/mesh_classifier.h"
@@ -71,9 +73,34 @@ TEST(FacetMeets, AgreesWithCutsInRationals) {
   }
 }
 
+MeshClassifier classifier_of(const TriangleMesh& mesh,
+                             LookupDetail detail = LookupDetail::kForPoints) {
+  return std::move(MeshClassifier::make(mesh, nullptr, detail).value());
+}
+
+// REQUIRES a box of the classifier's model, or one in reach of it.
+void expect_near(const MeshClassifier& c, const TriangleMesh& mesh, const Box3d& box) {
+  const std::vector<std::uint32_t> near = c.facets_near(box);
+  ASSERT_TRUE(std::adjacent_find(near.begin(), near.end(), std::greater_equal<>()) == near.end())
+      << text(box);
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& t = mesh.faces[f];
+    const std::array<Vec3d, 3> corners = {mesh.positions[t[0]], mesh.positions[t[1]],
+                                          mesh.positions[t[2]]};
+    Box3d around = empty_box();
+    for (const Vec3d& p : corners) add(to_point(p), &around);
+    const bool is_near = std::binary_search(near.begin(), near.end(), f);
+    if (is_near) {
+      ASSERT_TRUE(meets(around, box)) << text(box) << " facet " << f;
+    } else {
+      ASSERT_FALSE(meets_by_cuts(corners, box)) << text(box) << " facet " << f;
+    }
+  }
+}
+
 void expect_values(const TriangleMesh& mesh, std::uint64_t seed, int num, double scale) {
   Random random(seed);
-  const MeshClassifier c = std::move(MeshClassifier::make(mesh).value());
+  const MeshClassifier c = classifier_of(mesh), d = classifier_of(mesh, LookupDetail::kForBoxes);
   int counts[3] = {0, 0, 0};
   for (int i = 0; i < num; ++i) {
     Box3d box = empty_box();
@@ -94,6 +121,10 @@ void expect_values(const TriangleMesh& mesh, std::uint64_t seed, int num, double
           meets_by_cuts({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]}, box);
     const Value3 value = c.value(box);
     ++counts[static_cast<std::size_t>(value)];
+    ASSERT_EQ(value, d.value(box)) << "seed " << seed << " box " << text(box);
+    ASSERT_EQ(c.classify(p), d.classify(p)) << "seed " << seed << " box " << text(box);
+    expect_near(c, mesh, box);
+    expect_near(d, mesh, box);
     ASSERT_EQ(is_constant(value), !meets_any) << "seed " << seed << " box " << text(box);
     if (meets_any) continue;
     ASSERT_EQ(value, to_value(c.classify(Vec3d{box.hi[0], box.hi[1], box.hi[2]}).winding != 0))
@@ -123,6 +154,15 @@ TEST(MeshClassifierValue, KnowsBoxesOutsideAndAroundTheMesh) {
   EXPECT_EQ(d.value(Box3d{{0x1p52 + 2, 2, 2}, {0x1p52 + 3, 3, 3}}), Value3::kOne);
   EXPECT_EQ(d.value(Box3d{{0x1p52 + 2, 2, 2}, {0x1p52 + 9, 3, 3}}), Value3::kMixed);
   EXPECT_EQ(d.facets_at(Vec3d{0x1p52, 1, 2}).size(), 1u);
+}
+
+TEST(MeshClassifierFacets, NearABoxAreFoundWithoutAnOctreeToo) {
+  const TriangleMesh far = shapes::moved(shapes::box({0, 0, 0}, {8, 8, 8}), {0x1p52, 0, 0});
+  for (const LookupDetail detail : {LookupDetail::kForPoints, LookupDetail::kForBoxes}) {
+    const MeshClassifier c = classifier_of(far, detail);
+    expect_near(c, far, {{0x1p52 + 2, 2, 2}, {0x1p52 + 9, 3, 3}});
+    EXPECT_TRUE(c.facets_near({{0, 0, 0}, {1, 1, 1}}).empty());
+  }
 }
 
 TEST(MeshClassifierFacets, AreAllThatContainThePoint) {

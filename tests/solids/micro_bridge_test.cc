@@ -11,7 +11,7 @@
 #include "solids/micro/micro_topology.h"
 #include "splines/bezier_calculus.h"
 #include "splines/de_casteljau.h"
-#include "tests/support/micro_cells.h"
+#include "tests/support/micro_lattice.h"
 
 namespace veritope {
 namespace {
@@ -41,29 +41,8 @@ struct Structure {
     for (std::size_t c = 0; c < all.size(); ++c)
       all[c] = std::find(cells.begin(), cells.end(), c) != cells.end() ? 1 : 0;
   }
-  // A bridge at a wall, straight on along the axis by `length` in parameters, moved by `aside` at its end.
   MicroBridge& add(const CapPlace& place, const Rational& length, const TilePoint& aside = {}) {
-    const BridgeFront front = front_of(micro, cage, place).value();
-    const auto cap = turned_beyond(cap_on_front(micro, cage, tiles, place, front).value(), front);
-    MicroBridge out;
-    out.cap = place;
-    out.volume = front.volume;
-    out.degrees = cap.degrees();
-    for (std::size_t i = 0; i < cap.grid().count(); ++i)
-      for (int k = 0; k <= 2; ++k) {
-        TilePoint p;
-        for (std::size_t c = 0; c < 3; ++c) {
-          p[c] = cap.component(static_cast<int>(c))[i];
-          if (k == 2) p[c] += aside[c];
-        }
-        const Rational step = length * part(k, 2);
-        p[front.axis] += front.is_upward ? step : -step;
-        out.points.push_back(p);
-      }
-    const auto at =
-        std::upper_bound(micro.bridges.begin(), micro.bridges.end(), out,
-                         [](const MicroBridge& a, const MicroBridge& b) { return a.cap < b.cap; });
-    return *micro.bridges.insert(at, std::move(out));
+    return micro_lattice::add_bridge(micro, cage, tiles, place, length, aside);
   }
   std::variant<std::vector<BridgeWitness>, BridgeDefect> prove() const {
     EXPECT_TRUE(validate(micro).has_value());

@@ -17,67 +17,14 @@
 #include "splines/de_boor.h"
 #include "splines/de_casteljau.h"
 #include "tests/support/approx_distance.h"
-#include "tests/support/micro_cells.h"
+#include "tests/support/micro_lattice.h"
 
 namespace veritope {
 namespace {
 
-using v_cells::Point;
-
-TriangleMesh block(double lo, double hi) {
-  TriangleMesh out;
-  for (int i = 0; i < 8; ++i)
-    out.positions.push_back(
-        {(i & 1) != 0 ? hi : lo, (i & 2) != 0 ? hi : lo, (i & 4) != 0 ? hi : lo});
-  out.faces = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-               {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  return out;
-}
-
-// A cube around the block, of the degree (2, 2, 2), sheared and bent a bit if `bend` is not 0, with knots along u if it
-// `has_knots`.
-VVolume cage_volume(int bend, bool has_knots) {
-  VVolume out = v_cells::polynomial({2, 2, 2}, [&](std::size_t i, std::size_t j, std::size_t k) {
-    const auto x = static_cast<std::int64_t>(i), y = static_cast<std::int64_t>(j),
-               z = static_cast<std::int64_t>(k);
-    const Rational off = Rational(bend * (y == 1 ? 1 : 0)) / Rational(8);
-    return Point{Rational(x) / Rational(2) + off, Rational(y) / Rational(2),
-                 Rational(z) / Rational(2) + off};
-  });
-  return has_knots ? insert_knot(out, 0, Rational(1) / Rational(3)) : out;
-}
-
-// The tiles whose cells have all their corners deep inside of a block: enough to be kept.
-struct Lattice {
-  TriangleMesh solid;
-  Microstructure micro;
-  VModel cage;
-  std::vector<AnalysedTile> tiles;
-
-  Lattice(std::uint64_t n, const VVolume& volume, const Rational& lo, const Rational& hi)
-      : solid(block(nearest_double(lo), nearest_double(hi))),
-        micro(micro_cells::full({volume}, {n, n, n}, jack_tile({}).value())),
-        cage(make_v_model(micro.cage, VOrientation::kAuto).value()) {
-    tiles.push_back(std::get<AnalysedTile>(analyse_tile(micro.tiles[0])));
-    MicroGrid& grid = micro.grids[0];
-    const Grid<3> shape = grid.shape();
-    for (std::size_t c = 0; c < shape.count(); ++c)
-      for (unsigned corner = 0; corner < 8; ++corner) {
-        std::array<Rational, 3> at;
-        for (std::size_t a = 0; a < 3; ++a)
-          at[a] = grid.breaks[a][shape.index_of(c)[a] + (corner >> a & 1)];
-        const std::vector<Rational> image = point(volume, at).value();
-        for (const Rational& x : image)
-          if (x <= lo || hi <= x) grid.tiles[c] = 0;
-      }
-  }
-  BridgeReport build(double skin = 0.02, unsigned jobs = 1) {
-    BridgeOptions options;
-    options.skin = skin;
-    options.jobs = jobs;
-    return build_bridges(solid, cage, tiles, options, micro).value();
-  }
-};
+using micro_lattice::cage_volume;
+using micro_lattice::creased;
+using micro_lattice::Lattice;
 
 std::uint64_t sum_of(const BridgeReport& r) {
   std::uint64_t out = r.built;
@@ -195,24 +142,6 @@ TEST(BuildBridges, CapsThatNearlyTouchTheSurfaceAreFlat) {
   EXPECT_EQ(report.dropped[static_cast<std::size_t>(BridgeDrop::kFlat)], 96u);
   EXPECT_EQ(report.without.size(), 96u);
   EXPECT_TRUE(lattice.micro.bridges.empty());
-}
-
-// Two spans of degree 1: beyond u = 1/2, the line along u rises with the slope 1/2: 26.565 degrees. The first `kept`
-// of ten cells along u may have tiles, and the solid ends at x = `end`.
-Lattice creased(std::size_t kept, double end) {
-  VVolume bent = v_cells::polynomial({1, 1, 1}, [&](std::size_t i, std::size_t j, std::size_t k) {
-    return Point{Rational(i), Rational(j), Rational(k)};
-  });
-  bent = insert_knot(bent, 0, Rational(1) / Rational(2));
-  for (std::size_t j = 0; j < 2; ++j)
-    for (std::size_t k = 0; k < 2; ++k)
-      bent.component(2)[bent.grid().at({2, j, k})] += Rational(1) / Rational(4);
-  Lattice out(10, bent, tenths(1), tenths(9));
-  MicroGrid& grid = out.micro.grids[0];
-  for (std::size_t c = 0; c < grid.tiles.size(); ++c)
-    if (grid.shape().index_of(c)[0] >= kept) grid.tiles[c] = 0;
-  for (Vec3d& p : out.solid.positions) p.x = std::min(p.x, end);
-  return out;
 }
 
 TEST(BuildBridges, AKinkIsEnclosedAtACrease) {

@@ -49,9 +49,9 @@ TEST(MicroInside, ATileThatTouchesOrCrossesTheSurfaceIsNotInside) {
   const Answer crossing = answer(micro, with_bubble({0.75, 0.25, 0.25}, 0.2));
   ASSERT_EQ(condition_of(crossing), "I1");
   const auto& defect = std::get<InsideDefect>(crossing);
-  ASSERT_TRUE(defect.patch.has_value() && defect.facet.has_value());
+  ASSERT_TRUE(defect.patch.has_value() && defect.source.has_value());
   EXPECT_EQ(defect.patch->cell, 4u);
-  EXPECT_GE(*defect.facet, 12u);
+  EXPECT_GE(*defect.source, 12u);
   EXPECT_NE(defect.message.find("cell (1, 0, 0) of grid 0 is not proved to miss triangle"),
             std::string::npos);
 }

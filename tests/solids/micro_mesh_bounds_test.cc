@@ -147,7 +147,7 @@ TEST(PatchBend, BoundsSecondDifferencesOfMappedPatches) {
       CellMap map = cells.new_map();
       cells.enter_row(index[0], index[1], row);
       cells.cell(row, index[2], map);
-      bound = PatchBend(patch).of(map.bounds(2), wall);
+      bound = PatchBend(patch).of(map.bounds(2), Interval(wall * 0x1p-20));
     }
     for (std::size_t axis = 0; axis < 2; ++axis)
       for (int i = 0; i < 8; ++i) {

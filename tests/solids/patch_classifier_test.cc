@@ -198,6 +198,10 @@ TEST(PatchClassifier, NamesTheInnermostShell) {
   EXPECT_EQ(model(Vec3d{2, 0, 0}).shell, kNowhere);
   EXPECT_EQ(model(Vec3d{1, 0, 0}).shell, outer);
   EXPECT_EQ(model(Vec3d{0.75, 0, 0}).shell, hole.shell);
+  const std::vector<std::uint32_t>& depths = model.classifier.depths();
+  ASSERT_EQ(depths.size(), 2u);
+  EXPECT_EQ(depths[outer], 0u);
+  EXPECT_EQ(depths[hole.shell], 1u);
 }
 
 TEST(PatchClassifier, KnowsTheValuesOfBoxes) {

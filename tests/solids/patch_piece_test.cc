@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "interval/box_geometry.h"
+#include "interval/numeric.h"
 #include "interval/upward.h"
 #include "models/patch_shapes.h"
 #include "robust/base/random.h"
+#include "solids/classify/patch_cuts.h"
 #include "tests/solids/patch_support.h"
 
 namespace veritope {
@@ -114,6 +118,19 @@ TEST(PatchPiece, IsNearlyFlatWhenSmall) {
     const double whole = excess(piece);
     for (int i = 0; i < 8; ++i) piece = piece.halves(static_cast<std::size_t>(i % 2)).second;
     EXPECT_LT(excess(piece), whole / 100);
+  }
+}
+
+TEST(PatchCuts, MakeManyPartsOfTheSameSurface) {
+  const ScopedUpward upward;
+  const PatchComplex complex = complex_of(patch_shapes::sphere());
+  for (const std::size_t about : {1u, 6u, 7u, 100u}) {
+    const std::vector<PatchPiece> pieces = pieces_of(complex, about);
+    EXPECT_EQ(pieces.size(), std::max<std::size_t>(about, 6));
+    // The squares of parameters of a patch's parts have the area 1 together.
+    std::vector<double> areas(complex.patches().size());
+    for (const PatchPiece& p : pieces) areas[p.patch()] += wid(p.range(0)) * wid(p.range(1));
+    for (const double area : areas) EXPECT_EQ(area, 1);
   }
 }
 

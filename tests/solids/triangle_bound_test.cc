@@ -96,5 +96,19 @@ TEST(TriangleBound, HoldsForAllPointsOfABox) {
   EXPECT_GE(distance_bound(box, triangle), 3);
 }
 
+TEST(NearWeights, AreThoseOfAPointNearTheNearestOne) {
+  const Corners triangle = {Vec3d{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  const struct {
+    Point3d point;
+    std::array<double, 2> weights;
+  } cases[] = {{{1, 1, 3}, {0.25, 0.25}}, {{2, -3, 4}, {0.5, 0}},  {{-3, -4, 1}, {0, 0}},
+               {{7, -4, 0}, {1, 0}},      {{4, 4, 2}, {0.5, 0.5}}, {{-1, 3, 0}, {0, 0.75}}};
+  for (const auto& c : cases) {
+    const std::array<double, 2> found = near_weights(c.point, triangle);
+    EXPECT_NEAR(found[0], c.weights[0], 1e-14);
+    EXPECT_NEAR(found[1], c.weights[1], 1e-14);
+  }
+}
+
 }  // namespace
 }  // namespace veritope

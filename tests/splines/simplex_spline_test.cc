@@ -194,7 +194,7 @@ Point point_on(const Path& path, const std::vector<Point>& knots) {
   return simplex_oracle::at(path, eps);
 }
 
-// PROVES eq. 2: on the segment from u into the cell that rule H enters, M is a polynomial of degree k.
+// Eq. 2: on the segment from u into the cell that rule H enters, M is a polynomial of degree k.
 TEST(SimplexSpline, HasTheGradientOfThePolynomialThatThePathEnters) {
   int sloped = 0;
   for_loops(4, 250, [&](Random& random) {

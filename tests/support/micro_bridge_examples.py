@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Microstructures with bridges, and with tiles that star boxes prove, with their certificates, whatever they say: tests only."""
+"""Microstructures with bridges or sweeps, and with tiles that star boxes prove, with their certificates, whatever they say: tests only."""
 import copy
 import functools
 import itertools
@@ -168,19 +168,67 @@ def is_left_handed(first, q, axis, end):
     return (u[a] * v[b] - u[b] * v[a]) * (end - first[0][axis]) < 0
 
 
+# ---------------------------------------------------------------- sweeps
+
+class Sweep:
+    """The image of the cap of a cell's wall, along the curve with the Bezier points 0, e, f."""
+
+    def __init__(self, grid, cell, wall, e, f, matrix, depth, speed):
+        self.grid, self.cell, self.wall, self.e, self.f = grid, cell, wall, tuple(e), tuple(f)
+        self.matrix, self.depth, self.speed = matrix, depth, speed
+
+    def changed(self, **fields):
+        new = copy.copy(self)
+        for key, value in fields.items():
+            setattr(new, key, value)
+        return new
+
+    def json(self):
+        return json.dumps({"grid": self.grid, "cell": self.cell, "wall": self.wall,
+                           "axis": [[str(c) for c in self.e], [str(c) for c in self.f]]})
+
+    def hint(self):
+        return b"".join(map(forge.rational, [*(c for row in self.matrix for c in row), self.depth, self.speed]))
+
+
+def swept(plan, grid, cell, wall, length, bend=(0, 0, 0), depth=Q(1, 4)):
+    """A sweep that leaves the middle of the wall in the direction of the cage's axis across it. length: in the parameters of the cage; bend: is
+    added to f."""
+    axis, sign = wall // 2, 1 if wall % 2 else -1
+    middle = [Q(1, 2)] * 3
+    middle[axis] = Q(wall % 2)
+    volume, at = plan.grids[grid][0], plan.parameters(grid, cell, middle)
+    columns = [slope(plan.cage.maps[volume], at, a, sign if a == axis else 1) for a in range(3)]
+    e = [sign * c * length / 2 for c in columns[axis]]
+    f = [2 * c + b for c, b in zip(e, bend)]
+    matrix = [[c.limit_denominator(1 << 12) for c in row] for row in inverse([list(row) for row in zip(*columns)])]
+    return Sweep(grid, cell, wall, e, f, matrix, depth, 2 / Q(length))
+
+
+def slope(volume, at, axis, sign, step=Q(1, 1 << 10)):
+    """The derivative of the map along an axis, approximately: for hints and directions only."""
+    knots = volume.knots[axis]
+    ends = [at[axis], at[axis] - sign * step * (knots[-1] - knots[0])]
+    if not knots[0] <= ends[1] <= knots[-1]:
+        ends[1] = 2 * ends[0] - ends[1]
+    first, second = [examples.value_at(volume, [t if a == axis else c for a, c in enumerate(at)]) for t in ends]
+    return [((a - b) / (ends[0] - ends[1])).limit_denominator(1 << 12) for a, b in zip(first, second)]
+
+
 # ---------------------------------------------------------------- microstructures
 
 class Micro(examples.Micro):
-    """With bridges, materials (a text or None) and a proof for each tile: None for its centre and exit, or Boxes."""
+    """With bridges or sweeps, materials (a text or None) and a proof for each tile: None for its centre and exit, or Boxes."""
     no_bridges = None                                     # whether the empty list is written
 
-    def __init__(self, *args, bridges=(), materials=None, proofs=None):
+    def __init__(self, *args, bridges=(), materials=None, proofs=None, sweeps=()):
         super().__init__(*args)
-        self.bridges, self.materials, self.proofs = list(bridges), materials, proofs or [None] * len(self.tiles)
+        self.bridges, self.materials, self.proofs, self.sweeps = list(bridges), materials, proofs or [None] * len(self.tiles), list(sweeps)
 
     def changed(self, **fields):
         new = copy.copy(self)
         new.made, new.hints, new.values, new.bridges, new.proofs = None, list(self.hints), dict(self.values), list(self.bridges), list(self.proofs)
+        new.sweeps = list(self.sweeps)
         for key, value in fields.items():
             setattr(new, key, value)
         return new
@@ -190,16 +238,18 @@ class Micro(examples.Micro):
             text = super().text()[:-2]
             if self.bridges or self.no_bridges:
                 text += (",\n\"bridges\": [%s]" % ",\n".join(bridge.json() for bridge in self.bridges)).encode()
+            if self.sweeps:
+                text += (",\n\"sweeps\": [%s]" % ",\n".join(sweep.json() for sweep in self.sweeps)).encode()
             if self.materials is not None:
                 text += (",\n\"materials\": %s" % self.materials).encode()
             self.made = text + b"}\n"
         return self.made
 
     def body(self):
-        out = [self.magic, forge.u32(len(self.tiles) if self.count is None else self.count), forge.u32(len(self.bridges))]
+        out = [self.magic, forge.u32(len(self.tiles) if self.count is None else self.count), forge.u32(len(self.bridges) + len(self.sweeps))]
         for (centre, exit), proof in zip(self.hints, self.proofs):
             out.append(proof.body() if proof else b"\0" + b"".join(map(forge.rational, centre)) + forge.varint(exit))
-        return b"".join(out + [bridge.hint() for bridge in self.bridges]) + self.cage.body() + self.tail
+        return b"".join(out + [hinted.hint() for hinted in self.bridges + self.sweeps]) + self.cage.body() + self.tail
 
     def truth(self):
-        return {**super().truth(), "bridges": len(self.bridges)}
+        return {**super().truth(), "bridges": len(self.bridges) + len(self.sweeps)}

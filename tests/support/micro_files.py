@@ -270,10 +270,32 @@ class Bridge:
         return b"".join(map(rational, self.matrix)) + bytes([len(self.cuts) + 1]) + b"".join(map(rational, self.cuts))
 
 
+UNIT_MATRIX = (1, 0, 0, 0, 1, 0, 0, 0, 1)
+
+
+class Sweep:
+    """axis: e and f. matrix, depth and speed: K, d and l of the certificate."""
+
+    def __init__(self, cell, wall, e, f, grid=0, matrix=UNIT_MATRIX, depth=1, speed=1):
+        self.cell, self.wall, self.axis, self.grid = cell, wall, [tuple(map(Q, e)), tuple(map(Q, f))], grid
+        self.matrix, self.depth, self.speed = tuple(map(Q, matrix)), Q(depth), Q(speed)
+
+    def json(self):
+        return {"grid": self.grid, "cell": self.cell, "wall": self.wall, "axis": [[str(x) for x in v] for v in self.axis]}
+
+    def hints(self):
+        return b"".join(map(rational, (*self.matrix, self.depth, self.speed)))
+
+
 class Micro:
-    def __init__(self, grids, tiles, cage=None, model=None, bridges=()):
-        self.grids, self.tiles, self.model, self.bridges = list(grids), list(tiles), model, list(bridges)
+    """A file has bridges or sweeps."""
+
+    def __init__(self, grids, tiles, cage=None, model=None, bridges=(), sweeps=()):
+        self.grids, self.tiles, self.model, self.bridges, self.sweeps = list(grids), list(tiles), model, list(bridges), list(sweeps)
         self.cage = cage or [volume()]
+
+    def ends(self):
+        return self.bridges + self.sweeps
 
     def cage_text(self):
         return json.dumps({"format": "veritope-spline-1", "groups": [], "entities": self.cage})
@@ -283,7 +305,7 @@ class Micro:
         def lines(items):
             return "[" + ",".join("\n" + x for x in items) + "]"
         has_range = any(t.range is not None for t in self.tiles)
-        extra = {"bridges": lines(json.dumps(b.json()) for b in self.bridges)} if self.bridges else {}
+        extra = {key: lines(json.dumps(b.json()) for b in ends) for key, ends in (("bridges", self.bridges), ("sweeps", self.sweeps)) if ends}
         return {"format": '"veritope-micro-1"', "model": json.dumps(self.model), "cage": self.cage_text(),
                 "grids": lines(json.dumps({"volume": g.volume, "breaks": [[str(b) for b in axis] for axis in g.breaks]}) for g in self.grids),
                 "tiles": lines(map(tile_text, self.tiles)),
@@ -341,7 +363,7 @@ def certified_body(text, veritope, magic, *options, suffix=".vjson"):
 
 
 def hints(tiles, bridges=(), count=None):
-    """The body before its part about the cage."""
+    """The body before its part about the cage. bridges: or sweeps."""
     body = b"VTMS" + (len(tiles) if count is None else count).to_bytes(4, "little") + len(bridges).to_bytes(4, "little")
     return body + b"".join(map(hint, tiles)) + b"".join(b.hints() for b in bridges)
 
@@ -393,13 +415,13 @@ def zigzag(z):
     return varint(2 * z if z >= 0 else -2 * z - 1)
 
 
-def in_version_2(body, patches):
-    """A body of star-box-1 about surfaces without inner breaks, as one of star-box-2."""
+def in_version_2(body, patches, are_triangles=False):
+    """A body of star-box-1 about surfaces without inner breaks, or triangles, as one of star-box-2."""
     cursor = Cursor(body)
     cursor.take(8)
-    out = [b"VTS2", body[4:8], b"".join(bytes([1, flag]) for flag in cursor.take(patches))]
+    out = [b"VTS2", body[4:8], b"".join(bytes([1 + are_triangles, flag]) for flag in cursor.take(patches))]
     begin = cursor.at
-    cursor.take(patches * 2 * (4 + 2 * 2) + 2 * patches)   # breaks 0 and 1 for each axis, and the roots
+    cursor.take((0 if are_triangles else patches * 2 * (4 + 2 * 2)) + 2 * patches)    # breaks 0 and 1 for each axis, and the roots
     cursor.varint()
     out += [body[begin:cursor.at], bytes(4)]
     count = cursor.take(4)
@@ -428,8 +450,8 @@ NUMBERS = ("cells", "tiles", "glued_caps", "components", "shells", "genus")    #
 def certified(micro, numbers, veritope, *options, members=None):
     """(the file, its certificate). numbers: in the order of NUMBERS."""
     text = micro.text(**(members or {}))
-    body = hints(micro.tiles, micro.bridges) + cage_body(micro.cage_text(), veritope, *options)
-    return text, certificate(text, body, {**dict(zip(NUMBERS, numbers, strict=True)), "bridges": len(micro.bridges)})
+    body = hints(micro.tiles, micro.ends()) + cage_body(micro.cage_text(), veritope, *options)
+    return text, certificate(text, body, {**dict(zip(NUMBERS, numbers, strict=True)), "bridges": len(micro.ends())})
 
 
 # ---------------------------------------------------------------- inside of a mesh
@@ -444,6 +466,7 @@ READING_RULE = (
 
 class Mesh:
     """Triangles in an OFF file. corners: binary64 numbers."""
+    format = "off"
 
     def __init__(self):
         self.corners, self.triangles = [], []
@@ -463,6 +486,48 @@ class Mesh:
         return "\n".join(lines) + "\n"
 
 
+    def body(self, veritope):
+        return certified_body(self.text(), veritope, b"VTMV", suffix=".off")
+
+
+class Patches:
+    """Patches in a .vjson file. weight: of a control point, from 1 everywhere if it is None. are_triangles: patches of the degrees (1, 1) become
+    two triangles each. options: of the program that certifies them."""
+    format, options, weight, are_triangles = "vjson", (), None, False
+
+    def __init__(self, patches=()):
+        self.patches = list(patches)
+
+    def box(self, lo, hi, inward=False):
+        """Adds the surface of a box, as six patches of the degrees (1, 1)."""
+        corners, middle = [tuple(map(Q, p)) for p in (lo, hi)], tuple((Q(a) + Q(b)) / 2 for a, b in zip(lo, hi))
+        for axis, end in itertools.product(range(3), (0, 1)):
+            ring = []
+            for i, j in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                ends = [i, j]
+                ends.insert(axis, end)
+                ring.append(tuple(corners[e][k] for k, e in enumerate(ends)))
+            face = facet(ring, middle)
+            self.patches.append(face.mapped(lambda x: x, turn=True) if inward else face)
+        return self
+
+    def text(self):
+        model = json.loads(surfaces(self))
+        if self.weight is not None:
+            for of, s in zip(model["entities"], self.patches):
+                points = [[*(c * self.weight(p) for c in p), self.weight(p)] for p in s.points[0]]
+                of["shape"].update(rational=True, components=4, points=[[str(c) for c in p] for p in points])
+        if self.are_triangles:
+            corners = [[s.points[0][i] for i in of] for s in self.patches for of in ((0, 2, 3), (0, 3, 1))]
+            model["entities"] = [{"kind": "triangle", "group": None, "attributes": [], "shape": {
+                "degree": 1, "rational": False, "components": 3, "points": [[str(c) for c in p] for p in of]}} for of in corners]
+        return json.dumps(model)
+
+    def body(self, veritope):
+        body = certified_body(self.text(), veritope, b"VTS", *self.options)
+        return body if body[3:4] == b"2" else in_version_2(body, len(self.patches) * (1 + self.are_triangles), self.are_triangles)
+
+
 class Void:
     def __init__(self, x, corner=8, volume=0):
         self.x, self.corner, self.volume = tuple(map(Q, x)), corner, volume
@@ -477,7 +542,7 @@ def inside_body(structure, solid, voids=(), count=None):
 
 
 def inside_certificate(text, solid, body, numbers, **changes):
-    """solid: the model's bytes, an OFF file."""
+    """solid: the model's bytes, an OFF file unless model_format is changed."""
     return certificate(text, body, numbers, **{
         "claim": "micro-inside-1", "model_sha256": hashlib.sha256(solid).hexdigest(), "model_bytes": len(solid), "model_format": "off",
         "reading_rule": READING_RULE, "as_indexed": False, "skin": "-", **changes})
@@ -486,7 +551,7 @@ def inside_certificate(text, solid, body, numbers, **changes):
 def certified_inside(micro, solid, numbers, veritope, *options, voids=(), **changes):
     """(the file, its certificate, the model)."""
     text, model = micro.text(), solid.text()
-    structure = hints(micro.tiles, micro.bridges) + cage_body(micro.cage_text(), veritope, *options)
-    body = inside_body(structure, certified_body(model, veritope, b"VTMV", suffix=".off"), voids)
-    every = {**dict(zip(NUMBERS, numbers, strict=True)), "bridges": len(micro.bridges)}
-    return text, inside_certificate(text, model.encode(), body, every, **changes), model.encode()
+    structure = hints(micro.tiles, micro.ends()) + cage_body(micro.cage_text(), veritope, *options)
+    body = inside_body(structure, solid.body(veritope), voids)
+    every = {**dict(zip(NUMBERS, numbers, strict=True)), "bridges": len(micro.ends())}
+    return text, inside_certificate(text, model.encode(), body, every, **{"model_format": solid.format, **changes}), model.encode()

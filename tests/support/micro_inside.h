@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/micro_inside.h: asks prove_inside about a microstructure and a mesh that is decided on the way.
+// tests/support/micro_inside.h: asks prove_inside about a microstructure and a mesh that is decided on the
+// way, or patches.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -30,9 +31,11 @@ inline InsideModel model_of(const TriangleMesh& mesh) {
   return out;
 }
 
-/// Bridges are not examined but for what prove_inside says of them.
-inline Answer answer(const Microstructure& micro, const TriangleMesh& mesh, unsigned jobs = 1,
-                     const InsideLimits& limits = {}) {
+/// Bridges are not examined but for what prove_inside says of them. The model is an InsideModel, or a complex of
+/// patches that bounds a solid.
+template <typename Model>
+Answer answer_for(const Microstructure& micro, const Model& model, unsigned jobs,
+                  const InsideLimits& limits) {
   std::vector<AnalysedTile> tiles;
   for (const MicroTile& t : micro.tiles) tiles.push_back(std::get<AnalysedTile>(analyse_tile(t)));
   std::vector<CellPatch> first_patches;
@@ -43,7 +46,15 @@ inline Answer answer(const Microstructure& micro, const TriangleMesh& mesh, unsi
     return InsideDefect{};
   }
   EXPECT_EQ(first_patches.size(), std::get<MicroCounts>(counts).shells);
-  return prove_inside(micro, tiles, first_patches, model_of(mesh), jobs, limits);
+  return prove_inside(micro, tiles, first_patches, model, jobs, limits);
+}
+inline Answer answer(const Microstructure& micro, const TriangleMesh& mesh, unsigned jobs = 1,
+                     const InsideLimits& limits = {}) {
+  return answer_for(micro, model_of(mesh), jobs, limits);
+}
+inline Answer answer(const Microstructure& micro, const PatchComplex& complex, unsigned jobs = 1,
+                     const InsideLimits& limits = {}) {
+  return answer_for(micro, complex, jobs, limits);
 }
 
 /// "" if it is inside, else the condition that is not proved.

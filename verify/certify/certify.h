@@ -48,8 +48,8 @@ struct CertifyOptions {
   bool wants_regular = false;  ///< a model whose Jacobian determinant vanishes somewhere is INVALID
 
   /// Microstructures; the other kinds ignore it. If not null, the microstructure must lie in the interior of the solid
-  /// that this mesh bounds, and the claim is micro-inside-1.
-  const MeshFile* inside = nullptr;
+  /// that this mesh, or this file of splines, bounds, and the claim is micro-inside-1. No microstructure.
+  const ModelFile* inside = nullptr;
 
   // Models of patches; the other kinds ignore them.
   bool with_collar = false;  ///< seek a collar; if one is found the claim is collar-1 or collar-2

@@ -40,6 +40,7 @@ std::optional<CertifiedCopy> copy_of(const MeshFile& file) {
 ValidityReport without_evidence(ValidityReport report) {
   report.evidence = {};
   report.stars = {};
+  report.meetings = {};
   return report;
 }
 
@@ -66,6 +67,7 @@ Result<Certified> internal::certify_kind(const MeshFile& file, const CertifyOpti
   ValidityOptions how;
   how.jobs = options.jobs;
   how.work = options.work;
+  how.keep_meetings = true;
   how.max_defects =
       std::max<std::size_t>(options.max_findings, 1);  // the certificate needs one of each rule
   ValidityReport decision = decide_validity(file.mesh, how);

@@ -12,10 +12,13 @@
 #include "solids/polyhedron/box_order.h"
 #include "solids/polyhedron/box_tree.h"
 #include "solids/polyhedron/defects.h"
+#include "solids/polyhedron/facet_meetings.h"
 #include "solids/polyhedron/facet_signs.h"
+#include "solids/polyhedron/separating_axis.h"
 #include "solids/polyhedron/separator.h"
 #include "verify/certify/natural.h"
 #include "verify/certify/pair_codes.h"
+#include "verify/certify/pair_walk.h"
 
 namespace veritope {
 namespace {
@@ -34,24 +37,29 @@ struct PartWitness {
   std::vector<std::uint8_t> codes;
 };
 
-struct CertifyingWalk {
+void add_codes(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b,
+               std::vector<std::uint8_t>& out) {
+  if (const auto axis = separating_axis(mesh, a, b)) return out.push_back(*axis);
+  const auto codes = find_pair_codes(mesh, a, b);
+  VT_CHECK(!codes.empty(), "no axes for a proper pair of facets");
+  out.insert(out.end(), codes.begin(), codes.end());
+}
+
+struct SeparatingWalk {
   const TriangleMesh& mesh;
   const BoxTree& tree;
-  bool with_separators;
   SeparatorFinder finder;
   PartWitness out;
 
   bool stop() const { return false; }
   bool node_pair(const TreeRange& a, const TreeRange& b, std::uint64_t k) {
-    if (!with_separators || !is_worth_separating(a, b)) return false;
+    if (!is_worth_separating(a, b)) return false;
     const auto d = finder.find(tree.facets(a), tree.facets(b));
     if (d) out.separators.push_back({k, *d});
     return d.has_value();
   }
   void leaf_pair(std::uint32_t i, std::uint32_t j) {
-    const auto codes = find_pair_codes(mesh, tree.order()[i], tree.order()[j]);
-    VT_CHECK(!codes.empty(), "no axes for a proper pair of facets");
-    out.codes.insert(out.codes.end(), codes.begin(), codes.end());
+    add_codes(mesh, tree.order()[i], tree.order()[j], out.codes);
   }
 };
 
@@ -61,13 +69,36 @@ std::vector<std::uint32_t> all_facets(const TriangleMesh& mesh) {
   return out;
 }
 
+// The pairs are the leaf pairs that the walk without separators meets: no nodes above them are apart or have a star
+// vertex in common.
+void add_pairs(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs,
+               WorkShare* work, ValidBody& body) {
+  constexpr std::size_t kPairsInChunk = 8192;
+  FacetMeetings found;
+  const bool is_known = !report.meetings.order.empty();
+  if (!is_known) found = find_facet_meetings(mesh, report.stars, report.box, jobs, work);
+  const FacetMeetings& meetings = is_known ? report.meetings : found;
+  const std::vector<std::uint32_t>& order = meetings.order;
+  const auto pairs = sorted_as_walked(static_cast<std::uint32_t>(order.size()), meetings.pairs);
+  std::vector<std::vector<std::uint8_t>> codes(num_chunks(pairs.size(), kPairsInChunk));
+  WorkStep step(work, static_cast<double>(codes.size()));
+  parallel_for(pairs.size(), kPairsInChunk, jobs,
+               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                 codes[chunk].reserve(end - begin);
+                 for (const FacetMeeting& m : std::span(pairs).subspan(begin, end - begin))
+                   if (m.axis != FacetMeeting::kNoAxis)
+                     codes[chunk].push_back(m.axis);
+                   else
+                     add_codes(mesh, order[m.first], order[m.second], codes[chunk]);
+                 step.add(1);
+               });
+  for (const auto& some : codes) body.codes.insert(body.codes.end(), some.begin(), some.end());
+  body.order = is_known ? order : std::move(found.order);
+}
+
 void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned jobs,
               WorkShare* work, ValidBody& body) {
-  const auto facets = all_facets(mesh);
-  const BoxTree tree(mesh,
-                     report.long_thin ? median_order(mesh, facets, jobs)
-                                      : morton_order(mesh, facets, UnitScale(report.box), jobs),
-                     report.stars, jobs);
+  const BoxTree tree(mesh, median_order(mesh, all_facets(mesh), jobs), report.stars, jobs);
   const auto parts = tree.parts();
   const double largest = largest_coordinate(mesh);
   std::vector<PartWitness> found(parts.size());
@@ -75,7 +106,7 @@ void add_walk(const TriangleMesh& mesh, const ValidityReport& report, unsigned j
   parallel_for(parts.size(), 1, jobs, [&](std::size_t k, std::size_t, std::size_t) {
     const std::size_t i =
         parts.size() - 1 - k;  // the longest parts are the last ones: they start first
-    CertifyingWalk walk{mesh, tree, report.long_thin, SeparatorFinder(mesh, largest), {}};
+    SeparatingWalk walk{mesh, tree, SeparatorFinder(mesh, largest), {}};
     walk.out.pairs = tree.walk(parts[i], walk);
     found[i] = std::move(walk.out);
     step.add(1);
@@ -98,7 +129,10 @@ ValidBody valid_body(const TriangleMesh& mesh, const ValidityReport& report, uns
   body.num_vertex_ids = static_cast<std::uint32_t>(mesh.positions.size());
   body.stars = report.stars.code;
   for (const auto& [vertex, direction] : report.stars.own) body.star_vectors.push_back(direction);
-  add_walk(mesh, report, jobs, work, body);
+  if (report.long_thin)
+    add_walk(mesh, report, jobs, work, body);
+  else
+    add_pairs(mesh, report, jobs, work, body);
   if (report.shells.size() > 1) body.nesting = report.nesting.axis_code;
   return body;
 }

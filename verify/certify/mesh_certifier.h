@@ -14,8 +14,9 @@ namespace veritope {
 
 /// The certificate of what `report` says of `mesh`: mesh-valid-1, or mesh-invalid-1 with one witness for each broken
 /// rule (except M7 if only M2's pairs break it: then M2 has the witness). REQUIRES report = decide_validity(mesh,
-/// options) with max_defects >= 1, and its defects. The bytes do not depend on `jobs`. The walk through
-/// a valid mesh is a step of `work`, if it is not null.
+/// options) with max_defects >= 1, and its defects. The bytes do not depend on `jobs`. The search of a valid
+/// mesh's pairs of facets and the search of their axes are steps of `work`, if it is not null; where facets are long
+/// and thin, both are one step.
 /// @cost approximately that of the decision. Throws InternalError if a proper pair has no code: a bug, never a property
 /// of the model.
 certificate::Bytes make_mesh_certificate(const TriangleMesh& mesh, const ValidityReport& report,

@@ -9,6 +9,7 @@
 #include "io/splines/read_splines.h"
 #include "robust/base/check.h"
 #include "solids/micro/bridge/bridge_proof.h"
+#include "solids/micro/bridge/sweep_proof.h"
 #include "solids/micro/micro_topology.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/certify_kinds_internal.h"
@@ -44,7 +45,8 @@ class MicroCertification {
     if (const auto* defect = std::get_if<MicroDefect>(&topology))
       return undecided(reason_of(*defect));
     proof.counts = std::get<MicroCounts>(topology);
-    if (auto reason = certify_bridges(*cage)) return undecided(std::move(*reason));
+    auto reason = micro_.sweeps.empty() ? certify_bridges(*cage) : certify_sweeps(*cage);
+    if (reason) return undecided(std::move(*reason));
     internal::enter(Phase::kCertifying, options_);
     proof.body = std::move(body_);
     proof.tiles = std::move(tiles_);
@@ -152,21 +154,39 @@ class MicroCertification {
 
   std::optional<Finding> certify_bridges(const VModel& cage) {
     auto proof = prove_bridges(micro_, cage, tiles_);
-    if (const auto* d = std::get_if<BridgeDefect>(&proof)) {
-      const CapPlace& cap = micro_.bridges[d->bridge].cap;
-      const CellWall wall{cap.grid, cap.cell, cap.wall};
-      MicroDefect defect{d->condition,
-                         {wall},
-                         "bridge " + std::to_string(d->bridge) + " at wall " +
-                             name_of_wall(micro_, wall) + ": " + d->message};
-      return reason_of(defect, d->condition == std::string("B2") ? "not-covered" : "not-certified");
-    }
+    if (const auto* d = std::get_if<BridgeDefect>(&proof))
+      return reason_at(*d, "bridge ", micro_.bridges[d->bridge].cap);
+    std::vector<certificate::BridgeProof> bridges;
     for (const BridgeWitness& w : std::get<0>(proof)) {
-      certificate::BridgeProof& out = body_.bridges.emplace_back();
+      certificate::BridgeProof& out = bridges.emplace_back();
       for (std::size_t i = 0; i < 9; ++i) out.matrix[i] = to_fraction(w.matrix[i]);
       for (const Rational& s : w.cuts) out.cuts.push_back(to_fraction(s));
     }
+    body_.bridges = std::move(bridges);
     return std::nullopt;
+  }
+  std::optional<Finding> certify_sweeps(const VModel& cage) {
+    const auto proof = prove_sweeps(micro_, cage, tiles_, options_.jobs);
+    if (!proof) return reason("the sweeps: " + proof.error().message, "not-covered");
+    if (const auto* d = std::get_if<BridgeDefect>(&*proof))
+      return reason_at(*d, "sweep ", micro_.sweeps[d->bridge].cap);
+    std::vector<certificate::SweepProof> sweeps;
+    for (const SweepWitness& w : std::get<0>(*proof)) {
+      certificate::SweepProof& out = sweeps.emplace_back();
+      for (std::size_t i = 0; i < 9; ++i) out.matrix[i] = to_fraction(w.matrix[i]);
+      out.depth = to_fraction(w.depth);
+      out.speed = to_fraction(w.speed);
+    }
+    body_.bridges = std::move(sweeps);
+    return std::nullopt;
+  }
+  Finding reason_at(const BridgeDefect& d, const char* what, const CapPlace& cap) const {
+    const CellWall wall{cap.grid, cap.cell, cap.wall};
+    const MicroDefect defect{d.condition,
+                             {wall},
+                             what + std::to_string(d.bridge) + " at wall " +
+                                 name_of_wall(micro_, wall) + ": " + d.message};
+    return reason_of(defect, d.condition == std::string("B2") ? "not-covered" : "not-certified");
   }
 
   // The finding, with the cells' boxes in the parameters of the cage.
@@ -200,7 +220,7 @@ MicroFacts micro_facts_of(const Microstructure& micro) {
   MicroFacts out;
   out.volumes = micro.cage.size();
   out.kinds = micro.tiles.size();
-  out.counts.bridges = micro.bridges.size();
+  out.counts.bridges = micro.num_bridges();
   for (const MicroGrid& g : micro.grids) {
     out.counts.cells += g.tiles.size();
     for (const std::uint8_t t : g.tiles) out.counts.tiles += t != 0;

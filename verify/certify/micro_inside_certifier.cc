@@ -3,6 +3,7 @@
 
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "io/mesh/reading_rule.h"
 #include "solids/micro/inside/micro_inside.h"
@@ -10,6 +11,7 @@
 #include "topology/surface.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/mesh_certifier.h"
+#include "verify/certify/solid_patches.h"
 #include "verify/format/micro_inside_certificate.h"
 
 namespace veritope {
@@ -76,47 +78,91 @@ Finding finding_of_defect(const Microstructure& micro, const InsideDefect& defec
   return out;
 }
 
-certificate::InsideStatement statement_of(const MeshFile& model, const InsideProof& proof) {
+// Which model the statement names.
+certificate::InsideStatement statement_about(const ModelFile& model) {
   certificate::InsideStatement out;
-  out.sha256 = model.sha256;
-  out.bytes = model.report.bytes;
-  out.format = mesh_format_name(model.report.format);
+  out.sha256 = sha256_of(model);
+  out.bytes = num_bytes(model);
   out.reading_rule = kReadingRule;
-  out.as_indexed = model.report.as_indexed;
-  if (proof.skin)
-    out.skin = proof.skin->numerator().to_string() + "/" + proof.skin->denominator().to_string();
   return out;
+}
+certificate::InsideStatement statement_of(const ModelFile& file, const MeshFile& mesh) {
+  certificate::InsideStatement out = statement_about(file);
+  out.format = mesh_format_name(mesh.report.format);
+  out.as_indexed = mesh.report.as_indexed;
+  return out;
+}
+
+// A proof with what the certificate says of the model.
+struct InsideCase {
+  certificate::InsideStatement model;
+  std::variant<certificate::ValidBody, certificate::StarBoxBody> solid;
+  InsideProof proof;
+};
+using InsideAnswer = std::variant<InsideCase, Finding>;
+
+InsideAnswer answer_for(const Microstructure& micro, const MicroProof& proof, const MeshFile& mesh,
+                        const ModelFile& file, const CertifyOptions& options) {
+  ValidityOptions how;
+  how.jobs = options.jobs;
+  how.max_defects = 1;
+  const ValidityReport report = decide_validity(mesh.mesh, how);
+  if (auto defect = model_defect(mesh, report)) return std::move(*defect);
+  const InsideModel solid = shells_of(mesh.mesh, report, options.jobs);
+  auto inside = prove_inside(micro, proof.tiles, proof.first_patches, solid, options.jobs);
+  if (const auto* const defect = std::get_if<InsideDefect>(&inside))
+    return finding_of_defect(micro, *defect);
+  return InsideCase{statement_of(file, mesh), make_valid_body(mesh.mesh, report, options.jobs),
+                    std::get<InsideProof>(std::move(inside))};
+}
+InsideAnswer answer_for(const Microstructure& micro, const MicroProof& proof,
+                        const SplineFile& splines, const ModelFile& file,
+                        const CertifyOptions& options) {
+  auto solid = solid_patches_of(splines, options);
+  if (auto* const finding = std::get_if<Finding>(&solid)) return std::move(*finding);
+  auto& patches = std::get<SolidPatches>(solid);
+  auto inside =
+      prove_inside(micro, proof.tiles, proof.first_patches, *patches.patches.complex, options.jobs);
+  if (const auto* const defect = std::get_if<InsideDefect>(&inside))
+    return finding_of_defect(micro, *defect);
+  certificate::InsideStatement statement = statement_about(file);
+  statement.format = patches.format;
+  return InsideCase{std::move(statement), std::move(patches.body),
+                    std::get<InsideProof>(std::move(inside))};
+}
+InsideAnswer answer_for(const Microstructure&, const MicroProof&, const MicroFile&,
+                        const ModelFile&, const CertifyOptions&) {
+  return model_finding("not-covered", "a microstructure is no solid for --model");
+}
+InsideAnswer answer_for(const Microstructure&, const MicroProof&, const DmsFile&, const ModelFile&,
+                        const CertifyOptions&) {
+  return model_finding("not-covered", "a simplex-spline solid is no solid for --model");
 }
 
 }  // namespace
 
 Certified certify_inside(const Microstructure& micro, const certificate::Subject& subject,
-                         const MeshFile& model, const CertifyOptions& options) {
+                         const ModelFile& model, const CertifyOptions& options) {
   auto structure = prove_microstructure(micro, subject, options);
   if (auto* const undecided = std::get_if<Certified>(&structure)) return std::move(*undecided);
   auto& proof = std::get<MicroProof>(structure);
-  ValidityOptions how;
-  how.jobs = options.jobs;
-  how.max_defects = 1;
-  const ValidityReport report = decide_validity(model.mesh, how);
-  if (auto defect = model_defect(model, report)) return undecided_inside(micro, *defect);
-  const InsideModel solid = shells_of(model.mesh, report, options.jobs);
-  auto inside = prove_inside(micro, proof.tiles, proof.first_patches, solid, options.jobs);
-  if (const auto* const defect = std::get_if<InsideDefect>(&inside))
-    return undecided_inside(micro, finding_of_defect(micro, *defect));
-  const auto& found = std::get<InsideProof>(inside);
-  certificate::MicroInsideBody body{
-      std::move(proof.body), make_valid_body(model.mesh, report, options.jobs), {}};
-  for (const VoidPoint& v : found.voids)
+  InsideAnswer answer = std::visit(
+      [&](const auto& file) { return answer_for(micro, proof, file, model, options); }, model);
+  if (auto* const finding = std::get_if<Finding>(&answer))
+    return undecided_inside(micro, std::move(*finding));
+  auto& found = std::get<InsideCase>(answer);
+  certificate::MicroInsideBody body{std::move(proof.body), std::move(found.solid), {}};
+  for (const VoidPoint& v : found.proof.voids)
     body.voids.push_back(
         {v.volume, {to_fraction(v.x[0]), to_fraction(v.x[1]), to_fraction(v.x[2])}, v.corner});
+  if (const auto& skin = found.proof.skin)
+    found.model.skin = skin->numerator().to_string() + "/" + skin->denominator().to_string();
   Certified out;
   MicroFacts facts = micro_facts_of(micro);
   facts.counts = proof.counts;
-  facts.inside = InsideFacts{body.voids.size(), found.skin};
+  facts.inside = InsideFacts{body.voids.size(), found.proof.skin};
   out.facts = std::move(facts);
-  out.certificate =
-      certificate::encode(subject, quantities_of(proof.counts), statement_of(model, found), body);
+  out.certificate = certificate::encode(subject, quantities_of(proof.counts), found.model, body);
   out.claim = certificate::kMicroInsideClaim;
   out.verdict = Verdict::kValid;
   return out;

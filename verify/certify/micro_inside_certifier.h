@@ -7,11 +7,12 @@
 namespace veritope {
 
 /// VALID with its certificate (micro-inside-1); or UNDECIDED: as certify_microstructure; "model-invalid", if the mesh
-/// is not a solid; "not-inside", with the condition of the page that is not proved to hold, the cell and the triangle.
+/// or the splines are not a solid; "not-inside", with the condition of the page that is not proved to hold, the cell
+/// and the triangle or patch.
 /// @param subject  the bytes of the microstructure's file
 /// REQUIRES validate(micro).
-/// @cost  those of certify_microstructure and of certify for the mesh, and that of prove_inside
+/// @cost  those of certify_microstructure and of certify for the model, and that of prove_inside
 Certified certify_inside(const Microstructure& micro, const certificate::Subject& subject,
-                         const MeshFile& model, const CertifyOptions& options);
+                         const ModelFile& model, const CertifyOptions& options);
 
 }  // namespace veritope

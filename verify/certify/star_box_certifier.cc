@@ -250,6 +250,14 @@ certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const Sta
   return StarBoxBodyWriter(forest, cover, entities, most_exponent).write(walks);
 }
 
+certificate::StarBoxBody make_star_box_2_body(const PieceForest& forest, const StarCover& cover,
+                                              const ShellWalks& walks,
+                                              const std::vector<StarBoxEntity>& entities) {
+  certificate::StarBoxBody out = make_star_box_body(forest, cover, walks, entities, 0);
+  out.version = 2;
+  return out;
+}
+
 certificate::StarBoxQuantities star_box_quantities(const PatchComplex& complex,
                                                    const ShellWalks& walks) {
   certificate::StarBoxQuantities q;

@@ -16,6 +16,10 @@ certificate::StarBoxBody make_star_box_body(const PieceForest& forest, const Sta
                                             const ShellWalks& walks,
                                             const std::vector<StarBoxEntity>& entities,
                                             int most_exponent);
+/// A body of version 2, which demands nothing of boxes that version 1 could hold, too.
+certificate::StarBoxBody make_star_box_2_body(const PieceForest& forest, const StarCover& cover,
+                                              const ShellWalks& walks,
+                                              const std::vector<StarBoxEntity>& entities);
 certificate::StarBoxQuantities star_box_quantities(const PatchComplex& complex,
                                                    const ShellWalks& walks);
 

@@ -62,12 +62,6 @@ std::optional<Finding> fault_of(const FilePatches& patches, const PatchDecision&
   return std::nullopt;
 }
 
-// What version 2 demands of a body that version 1 could hold, too.
-certificate::StarBoxBody as_version_2(certificate::StarBoxBody body) {
-  body.version = 2;
-  return body;
-}
-
 }  // namespace
 
 std::variant<certificate::StarBoxBody, Finding> star_boxes_of(const MicroTile& tile,
@@ -84,8 +78,8 @@ std::variant<certificate::StarBoxBody, Finding> star_boxes_of(const MicroTile& t
   if (auto fault = fault_of(*patches, decided.decision)) return std::move(*fault);
   if (!fits_certificate(*decided.forest, decided.decision.cover))
     return tile_reason("not-covered", "the star boxes have coordinates too long for a certificate");
-  return as_version_2(make_star_box_body(*decided.forest, decided.decision.cover,
-                                         decided.decision.walks, patches->entities, 0));
+  return make_star_box_2_body(*decided.forest, decided.decision.cover, decided.decision.walks,
+                              patches->entities);
 }
 
 }  // namespace veritope

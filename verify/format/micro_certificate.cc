@@ -15,7 +15,7 @@ namespace {
 
 using internal::ByteReader;
 
-constexpr std::size_t kLeastBytesOfTile = 5, kLeastBytesOfBridge = 19;
+constexpr std::size_t kLeastBytesOfTile = 5, kLeastBytesOfBridge = 19, kLeastBytesOfSweep = 22;
 enum : std::uint8_t { kStar = 0, kBoxes = 1 };  // how a tile is proved
 
 // In decimals if it is below 2^64.
@@ -68,6 +68,66 @@ BridgeProof read_bridge(ByteReader& r) {
   return out;
 }
 
+SweepProof read_sweep(ByteReader& r) {
+  SweepProof out;
+  for (Fraction& x : out.matrix) x = internal::read_fraction(r);
+  out.depth = internal::read_fraction(r);
+  out.speed = internal::read_fraction(r);
+  return out;
+}
+
+// The whole body; `read` reads a bridge or a sweep of at least so many bytes.
+template <typename Proof, typename Read>
+std::optional<MicroBody> read_body(ByteReader r, std::size_t least_bytes, Read read) {
+  MicroBody out;
+  r.raw(kMicroMagic.size());
+  const std::size_t tiles = r.count(kLeastBytesOfTile), bridges = r.count(least_bytes);
+  for (std::size_t k = 0; k < tiles && r.ok(); ++k) {
+    auto tile = read_tile(r);
+    if (!tile) return std::nullopt;
+    out.tiles.push_back(std::move(*tile));
+  }
+  std::vector<Proof> proofs;
+  for (std::size_t b = 0; b < bridges && r.ok(); ++b) proofs.push_back(read(r));
+  out.bridges = std::move(proofs);
+  ByteReader magic = r;
+  const auto first = magic.raw(kVModelMagic.size());
+  if (!magic.ok() || !std::equal(first.begin(), first.end(), kVModelMagic.begin()))
+    return std::nullopt;
+  auto cage = internal::read_vmodel(r);
+  if (!cage) return std::nullopt;
+  out.cage = std::move(*cage);
+  return out;
+}
+
+void write_matrix(internal::ByteWriter& w, const std::array<Fraction, 9>& matrix) {
+  for (const Fraction& x : matrix) internal::write_fraction(w, x);
+}
+void write_bridge(internal::ByteWriter& w, const BridgeProof& bridge) {
+  write_matrix(w, bridge.matrix);
+  w.u8(static_cast<std::uint8_t>(bridge.cuts.size() + 1));
+  for (const Fraction& x : bridge.cuts) internal::write_fraction(w, x);
+}
+void write_bridge(internal::ByteWriter& w, const SweepProof& sweep) {
+  write_matrix(w, sweep.matrix);
+  internal::write_fraction(w, sweep.depth);
+  internal::write_fraction(w, sweep.speed);
+}
+
+std::string matrix_text(const std::array<Fraction, 9>& matrix) {
+  std::string text = "one to one by the matrix (";
+  for (std::size_t c = 0; c < matrix.size(); ++c)
+    text += (c == 0 ? "" : c % 3 == 0 ? "; " : ", ") + internal::short_text(matrix[c]);
+  return text + ")";
+}
+std::string text_of_proof(const BridgeProof& bridge) {
+  return matrix_text(bridge.matrix) + ", " + std::to_string(bridge.cuts.size() + 1) + " slices";
+}
+std::string text_of_proof(const SweepProof& sweep) {
+  return matrix_text(sweep.matrix) + ", depth " + internal::short_text(sweep.depth) + ", speed " +
+         internal::short_text(sweep.speed);
+}
+
 }  // namespace
 
 std::string internal::short_text(const Fraction& x) {
@@ -88,13 +148,13 @@ Bytes encode(const MicroBody& body) {
   internal::ByteWriter w;
   w.text(kMicroMagic);
   w.u32(static_cast<std::uint32_t>(body.tiles.size()));
-  w.u32(static_cast<std::uint32_t>(body.bridges.size()));
+  std::visit([&](const auto& all) { w.u32(static_cast<std::uint32_t>(all.size())); }, body.bridges);
   for (const MicroTileProof& tile : body.tiles) write_tile(w, tile);
-  for (const BridgeProof& bridge : body.bridges) {
-    for (const Fraction& x : bridge.matrix) internal::write_fraction(w, x);
-    w.u8(static_cast<std::uint8_t>(bridge.cuts.size() + 1));
-    for (const Fraction& x : bridge.cuts) internal::write_fraction(w, x);
-  }
+  std::visit(
+      [&](const auto& all) {
+        for (const auto& bridge : all) write_bridge(w, bridge);
+      },
+      body.bridges);
   w.raw(encode(body.cage));
   return w.take();
 }
@@ -108,24 +168,10 @@ Bytes encode(const Subject& subject, const MicroQuantities& q, const MicroBody& 
   return internal::join(w.take(), bytes);
 }
 
+// Only the file tells bridges from sweeps: the body is what reads to its end.
 std::optional<MicroBody> internal::read_micro(ByteReader r) {
-  MicroBody out;
-  r.raw(kMicroMagic.size());
-  const std::size_t tiles = r.count(kLeastBytesOfTile), bridges = r.count(kLeastBytesOfBridge);
-  for (std::size_t k = 0; k < tiles && r.ok(); ++k) {
-    auto tile = read_tile(r);
-    if (!tile) return std::nullopt;
-    out.tiles.push_back(std::move(*tile));
-  }
-  for (std::size_t b = 0; b < bridges && r.ok(); ++b) out.bridges.push_back(read_bridge(r));
-  ByteReader magic = r;
-  const auto first = magic.raw(kVModelMagic.size());
-  if (!magic.ok() || !std::equal(first.begin(), first.end(), kVModelMagic.begin()))
-    return std::nullopt;
-  auto cage = read_vmodel(r);
-  if (!cage) return std::nullopt;
-  out.cage = std::move(*cage);
-  return out;
+  auto out = read_body<BridgeProof>(r, kLeastBytesOfBridge, read_bridge);
+  return out ? std::move(out) : read_body<SweepProof>(r, kLeastBytesOfSweep, read_sweep);
 }
 
 std::string explain(const MicroBody& body, std::string_view claim, std::size_t max_items) {
@@ -139,13 +185,13 @@ std::string explain(const MicroBody& body, std::string_view claim, std::size_t m
       text += (c == 0 ? "" : ", ") + internal::short_text(star->centre[c]);
     return text + "), left through patch " + std::to_string(star->exit);
   });
-  internal::append_list(out, "bridges", body.bridges.size(), max_items, [&](std::size_t i) {
-    const BridgeProof& bridge = body.bridges[i];
-    std::string text = "one to one by the matrix (";
-    for (std::size_t c = 0; c < bridge.matrix.size(); ++c)
-      text += (c == 0 ? "" : c % 3 == 0 ? "; " : ", ") + internal::short_text(bridge.matrix[c]);
-    return text + "), " + std::to_string(bridge.cuts.size() + 1) + " slices";
-  });
+  const bool has_sweeps = std::holds_alternative<std::vector<SweepProof>>(body.bridges);
+  std::visit(
+      [&](const auto& all) {
+        internal::append_list(out, has_sweeps ? "sweeps" : "bridges", all.size(), max_items,
+                              [&](std::size_t i) { return text_of_proof(all[i]); });
+      },
+      body.bridges);
   return out + "the cage as a " + explain(body.cage, kVModelClaim, max_items);
 }
 

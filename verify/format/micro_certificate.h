@@ -30,9 +30,15 @@ struct BridgeProof {
   std::array<Fraction, 9> matrix;
   std::vector<Fraction> cuts;  ///< at most 254
 };
+/// The matrix that shows that a sweep is one to one, row by row; the depth of a slab, and a speed.
+struct SweepProof {
+  std::array<Fraction, 9> matrix;
+  Fraction depth, speed;
+};
 struct MicroBody {
   std::vector<MicroTileProof> tiles;
-  std::vector<BridgeProof> bridges;
+  /// Those of bridges, or those of sweeps: a file has only one of these.
+  std::variant<std::vector<BridgeProof>, std::vector<SweepProof>> bridges;
   VModelBody cage;
 };
 

@@ -29,7 +29,8 @@ auto read_inner(std::span<const unsigned char> bytes, std::string_view magic)
 }  // namespace
 
 Bytes encode(const MicroInsideBody& body) {
-  const Bytes structure = encode(body.structure), solid = encode(body.solid);
+  const Bytes structure = encode(body.structure),
+              solid = std::visit([](const auto&b) { return encode(b); }, body.solid);
   internal::ByteWriter w;
   w.text(kMicroInsideMagic);
   w.u32(static_cast<std::uint32_t>(structure.size()));
@@ -67,9 +68,14 @@ std::optional<MicroInsideBody> internal::read_micro_inside(ByteReader r) {
   const auto structure = r.raw(structure_size), solid = r.raw(solid_size);
   if (!r.ok()) return std::nullopt;
   auto structure_body = read_inner<internal::read_micro>(structure, kMicroMagic);
-  auto solid_body = read_inner<internal::read_valid>(solid, kValidMagic);
-  if (!structure_body || !solid_body) return std::nullopt;
-  MicroInsideBody out{std::move(*structure_body), std::move(*solid_body), {}};
+  if (!structure_body) return std::nullopt;
+  MicroInsideBody out{std::move(*structure_body), {}, {}};
+  if (auto mesh = read_inner<internal::read_valid>(solid, kValidMagic))
+    out.solid = std::move(*mesh);
+  else if (auto patches = read_inner<internal::read_star_box_2>(solid, kStarBox2Magic))
+    out.solid = std::move(*patches);
+  else
+    return std::nullopt;
   for (std::uint32_t i = 0, n = r.count(kLeastBytesOfVoid); i < n && r.ok(); ++i) {
     VoidEntry& v = out.voids.emplace_back();
     v.volume = r.u32();
@@ -92,7 +98,10 @@ std::string explain(const MicroInsideBody& body, std::string_view claim, std::si
                        : ", joined to corner " + std::to_string(v.corner) + " of its cell");
   });
   out += "the microstructure as a " + explain(body.structure, kMicroClaim, max_items);
-  return out + "the model as a " + explain(body.solid, kValidClaim, max_items);
+  const auto* const mesh = std::get_if<ValidBody>(&body.solid);
+  return out + "the model as a " +
+         (mesh != nullptr ? explain(*mesh, kValidClaim, max_items)
+                          : explain(std::get<StarBoxBody>(body.solid), kStarBox2Claim, max_items));
 }
 
 }  // namespace veritope::certificate

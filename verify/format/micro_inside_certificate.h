@@ -7,10 +7,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "verify/format/mesh_certificate.h"
 #include "verify/format/micro_certificate.h"
+#include "verify/format/star_box_certificate.h"
 
 namespace veritope::certificate {
 
@@ -25,7 +27,8 @@ struct VoidEntry {
 };
 struct MicroInsideBody {
   MicroBody structure;  ///< about the microstructure
-  ValidBody solid;      ///< about the model
+  /// A body of mesh-valid-1, or of star-box-2, about the model.
+  std::variant<ValidBody, StarBoxBody> solid;
   std::vector<VoidEntry> voids;
 };
 
@@ -33,7 +36,7 @@ struct MicroInsideBody {
 struct InsideStatement {
   std::string sha256;  ///< 64 lower-case hexadecimal digits
   std::uint64_t bytes = 0;
-  std::string format;  ///< "stl", "obj", "ply" or "off"
+  std::string format;  ///< "stl", "obj", "ply" or "off", or a format of splines
   std::string reading_rule;
   bool as_indexed = false;
   std::string skin = "-";  ///< a rational number; "-": no bridges

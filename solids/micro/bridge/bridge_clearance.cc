@@ -4,131 +4,83 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
-#include "interval/box_geometry.h"
 #include "interval/upward.h"
-#include "solids/classify/triangle_bound.h"
+#include "solids/micro/surface/close_descent.h"
 
 namespace veritope {
 namespace {
 
 using internal::HullPoints;
 using internal::VolumeSpace;
-using Facet = SkinFacets::Corners;
 
 constexpr int kMostClearanceLevels = 24, kMostClearanceNodes = 4096;
+constexpr std::uint64_t kMostClearancePairs = std::uint64_t{1} << 24;
 constexpr int kMostEndLevels = 12, kMostEndNodes = 1024;
-constexpr std::size_t kTriedFacets = 4;
 
-Box3d outer_box_of_points(const HullPoints& points) {
-  Box3d out = empty_box();
-  for (const Box3& p : points)
-    out = hull(out, Box3d{{p[0].lo(), p[1].lo(), p[2].lo()}, {p[0].hi(), p[1].hi(), p[2].hi()}});
-  return out;
-}
-Point3d minus_of(const Vec3d& a, const Vec3d& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Point3d cross_of(const Point3d& a, const Point3d& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot_of(const Point3d& a, const Point3d& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-// The hull of points, with their middles, which may be proved apart from facets.
-class PointHull {
- public:
-  explicit PointHull(const HullPoints& points) : points_(points) {
-    for (const Box3& p : points)
-      approx_.push_back({0.5 * (p[0].lo() + p[0].hi()), 0.5 * (p[1].lo() + p[1].hi()),
-                         0.5 * (p[2].lo() + p[2].hi())});
-  }
-  // The directions of docs/certificates/micro-inside.md, section 3, but for the axes: the boxes meet.
-  bool is_apart(const Facet& facet) const {
-    const Point3d e0 = minus_of(facet[1], facet[0]), e1 = minus_of(facet[2], facet[1]),
-                  e2 = minus_of(facet[0], facet[2]);
-    const Point3d n = cross_of(e0, minus_of(facet[2], facet[0]));
-    for (const Point3d& d : {n, cross_of(n, e0), cross_of(n, e1), cross_of(n, e2)})
-      if (separates(d, facet) || separates({-d[0], -d[1], -d[2]}, facet)) return true;
-    return false;
-  }
-
- private:
-  // Whether all points are below the facet.
-  bool separates(const Point3d& d, const Facet& facet) const {
-    double least = HUGE_VAL;
-    for (const Vec3d& q : facet) least = std::min(least, dot_of(d, {q.x, q.y, q.z}));
-    for (const Point3d& p : approx_)
-      if (!(dot_of(d, p) < least)) return false;
-    if (!std::isfinite(d[0] + d[1] + d[2])) return false;
-    const Box3 direction{Interval(d[0]), Interval(d[1]), Interval(d[2])};
-    double bound = HUGE_VAL;
-    for (const Vec3d& q : facet)
-      bound = std::min(
-          bound, internal::dot(direction, Box3(Interval(q.x), Interval(q.y), Interval(q.z))).lo());
-    return std::all_of(points_.begin(), points_.end(),
-                       [&](const Box3& p) { return internal::dot(direction, p).hi() < bound; });
-  }
-
-  const HullPoints& points_;
-  std::vector<Point3d> approx_;
+// How nets of bridges are halved: along the axis along which they are longest, in units of `unit`.
+struct NetShape {
+  Grid<3> grid;
+  Point3d unit{1, 1, 1};
 };
-
 // Part of a polynomial map of [0,1]^3, by its Bernstein coefficients.
 struct NetNode {
   std::vector<Box3> points;
+  const NetShape* shape = nullptr;
   int level = 0;
-};
 
-class NetHalver {
- public:
-  NetHalver(std::array<std::size_t, 3> size) : grid_{size} {}
-
-  Box3d box(const NetNode& node) const { return outer_box_of_points(node.points); }
-  // The axis along which the net is longest, in units of `unit`.
-  std::size_t longest(const NetNode& node, const Point3d& unit) const {
-    std::size_t best = 0;
-    double most = -1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (grid_.size[axis] < 2) continue;
-      double length = 0;
-      const std::size_t span = (grid_.size[axis] - 1) * grid_.stride(axis);
-      grid_.for_each_line(axis, [&](std::size_t first) {
-        double sum = 0;
-        for (std::size_t c = 0; c < 3; ++c)
-          sum += std::abs(node.points[first + span][c].hi() - node.points[first][c].hi()) / unit[c];
-        length = std::max(length, sum);
-      });
-      if (length > most) {
-        most = length;
-        best = axis;
-      }
-    }
-    return best;
-  }
-  std::pair<NetNode, NetNode> halves(const NetNode& node, std::size_t axis) const {
-    std::pair<NetNode, NetNode> out{node, node};
-    ++out.first.level;
-    ++out.second.level;
-    const std::size_t step = grid_.stride(axis), n = grid_.size[axis] - 1;
-    const Interval half(0.5);
-    grid_.for_each_line(axis, [&](std::size_t first) {
-      std::vector<Box3> line;
-      for (std::size_t i = 0; i <= n; ++i) line.push_back(node.points[first + i * step]);
-      for (std::size_t r = 0; r <= n; ++r) {
-        out.first.points[first + r * step] = line[0];
-        out.second.points[first + (n - r) * step] = line[n - r];
-        for (std::size_t i = 0; i + r < n; ++i) line[i] = half * (line[i] + line[i + 1]);
-      }
-    });
-    return out;
-  }
+  Box3d box() const { return box_around(points); }
+  std::pair<NetNode, NetNode> halves() const;
 
  private:
-  Grid<3> grid_;
+  std::size_t longest_axis() const;
 };
 
-NetNode node_of(const MicroBridge& bridge, bool end_only) {
+std::size_t NetNode::longest_axis() const {
+  const Grid<3>& grid = shape->grid;
+  std::size_t best = 0;
+  double most = -1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (grid.size[axis] < 2) continue;
+    double length = 0;
+    const std::size_t span = (grid.size[axis] - 1) * grid.stride(axis);
+    grid.for_each_line(axis, [&](std::size_t first) {
+      double sum = 0;
+      for (std::size_t c = 0; c < 3; ++c)
+        sum += std::abs(points[first + span][c].hi() - points[first][c].hi()) / shape->unit[c];
+      length = std::max(length, sum);
+    });
+    if (length > most) {
+      most = length;
+      best = axis;
+    }
+  }
+  return best;
+}
+
+std::pair<NetNode, NetNode> NetNode::halves() const {
+  std::pair<NetNode, NetNode> out{*this, *this};
+  out.first.level = out.second.level = level + 1;
+  const Grid<3>& grid = shape->grid;
+  const std::size_t axis = longest_axis(), step = grid.stride(axis), n = grid.size[axis] - 1;
+  const Interval half(0.5);
+  grid.for_each_line(axis, [&](std::size_t first) {
+    std::vector<Box3> line;
+    for (std::size_t i = 0; i <= n; ++i) line.push_back(points[first + i * step]);
+    for (std::size_t r = 0; r <= n; ++r) {
+      out.first.points[first + r * step] = line[0];
+      out.second.points[first + (n - r) * step] = line[n - r];
+      for (std::size_t i = 0; i + r < n; ++i) line[i] = half * (line[i] + line[i + 1]);
+    }
+  });
+  return out;
+}
+
+NetNode node_of(const MicroBridge& bridge, const NetShape& shape) {
   NetNode out;
+  out.shape = &shape;
+  const bool end_only = shape.grid.size[2] == 1;
   for (std::size_t i = 0; i < bridge.points.size(); ++i) {
     if (end_only && i % 3 != 2) continue;
     const TilePoint& p = bridge.points[i];
@@ -136,9 +88,10 @@ NetNode node_of(const MicroBridge& bridge, bool end_only) {
   }
   return out;
 }
-NetHalver halver_of(const MicroBridge& bridge, std::size_t rows) {
-  return NetHalver({static_cast<std::size_t>(bridge.degrees[0]) + 1,
-                    static_cast<std::size_t>(bridge.degrees[1]) + 1, rows});
+NetShape shape_of(const MicroBridge& bridge, std::size_t rows) {
+  return {{{static_cast<std::size_t>(bridge.degrees[0]) + 1,
+            static_cast<std::size_t>(bridge.degrees[1]) + 1, rows}},
+          {1, 1, 1}};
 }
 
 // Approximate lengths of the volume's axes near the node, to compare them: 1 over the length of a unit in space.
@@ -146,90 +99,58 @@ Point3d unit_of(const VolumeSpace& volume, const Box3d& box) {
   Point3d unit = {1, 1, 1};
   if (const auto place = volume.place(approx_centre(box)))
     for (std::size_t a = 0; a < 3; ++a) {
-      const double length = std::sqrt(dot_of(place->partial[a], place->partial[a]));
+      const Point3d& d = place->partial[a];
+      const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
       if (length > 0 && std::isfinite(length)) unit[a] = 1 / length;
     }
   return unit;
 }
 
-bool node_misses(const SkinFacets& skin, const VolumeSpace& volume, const Box3d& box,
-                 std::vector<HullPoints>& hulls) {
-  hulls.clear();
-  if (!volume.hulls(box, &hulls)) return false;
-  for (const HullPoints& points : hulls) {
-    const PointHull hull(points);
-    bool is_apart = true;
-    skin.visit(outer_box_of_points(points),
-               [&](std::uint32_t f) { is_apart = is_apart && hull.is_apart(skin.corners(f)); });
-    if (!is_apart) return false;
-  }
-  return true;
-}
+// A part of a sweep, as a node of descend().
+struct SweepPiece {
+  SweepNodes* sweep = nullptr;
+  SweepNodes::Node node;
+  int level = 0;
 
-// The least bound that holds for all points and one facet, if it is at most `most`.
-std::optional<double> bound_of(const SkinFacets& skin, const HullPoints& points, double most) {
-  Box3d box = outer_box_of_points(points);
-  const Point3d centre = approx_centre(box);
-  for (std::size_t c = 0; c < 3; ++c) {
-    box.lo[c] -= most;
-    box.hi[c] += most;
+  std::pair<SweepPiece, SweepPiece> halves() const {
+    const auto [a, b] = sweep->halves(node);
+    return {{sweep, a, level + 1}, {sweep, b, level + 1}};
   }
-  const Box3 middle{Interval(centre[0]), Interval(centre[1]), Interval(centre[2])};
-  std::vector<std::pair<double, std::uint32_t>> near;
-  skin.visit(
-      box, [&](std::uint32_t f) { near.emplace_back(distance_bound(middle, skin.corners(f)), f); });
-  const std::size_t n = std::min(kTriedFacets, near.size());
-  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(n), near.end());
-  std::optional<double> best;
-  for (std::size_t i = 0; i < n; ++i) {
-    double worst = 0;
-    for (const Box3& p : points) {
-      worst = std::max(worst, distance_bound(p, skin.corners(near[i].second)));
-      if (!(worst <= most)) break;
-    }
-    if (worst <= most && (!best || worst < *best)) best = worst;
-  }
-  return best;
-}
+};
 
 }  // namespace
 
-SkinFacets::SkinFacets(const TriangleMesh& mesh) {
-  std::vector<Box3d> boxes;
-  for (const auto& t : mesh.faces) {
-    corners_.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
-    Box3d box = empty_box();
-    for (const Vec3d& p : corners_.back()) add({p.x, p.y, p.z}, &box);
-    boxes.push_back(box);
-  }
-  tree_ = BoxHierarchy(boxes);
-}
-
-bool misses_facets(const SkinFacets& skin, const VolumeSpace& volume, const MicroBridge& bridge) {
+bool misses_surface(SurfaceView& surface, const VolumeSpace& volume, const MicroBridge& bridge) {
   const ScopedUpward upward;
-  const NetHalver halver = halver_of(bridge, 3);
-  std::vector<NetNode> stack = {node_of(bridge, false)};
-  const Point3d unit = unit_of(volume, halver.box(stack.back()));
+  NetShape shape = shape_of(bridge, 3);
+  NetNode root = node_of(bridge, shape);
+  shape.unit = unit_of(volume, root.box());
   std::vector<HullPoints> hulls;
-  int left = kMostClearanceNodes;
-  while (!stack.empty()) {
-    const NetNode node = std::move(stack.back());
-    stack.pop_back();
-    if (node_misses(skin, volume, halver.box(node), hulls)) continue;
-    if (node.level >= kMostClearanceLevels || --left < 0) return false;
-    auto [low, high] = halver.halves(node, halver.longest(node, unit));
-    stack.push_back(std::move(low));
-    stack.push_back(std::move(high));
-  }
-  return true;
+  Box3d box = empty_box();
+  if (volume.hulls(root.box(), &hulls))
+    for (const HullPoints& points : hulls) box = hull(box, box_around(points));
+  else
+    box = {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
+  DescentBudget budget({kMostClearanceNodes, kMostClearancePairs});
+  std::vector<NodePoints> images;
+  const auto close_to = [&](const NetNode& node, PartNumbers* near) {
+    hulls.clear();
+    if (!volume.hulls(node.box(), &hulls)) return;
+    images.resize(hulls.size());
+    for (std::size_t i = 0; i < hulls.size(); ++i) images[i].assign(hulls[i]);
+    budget.add_pairs(surface.keep_close(images, near));
+  };
+  const auto left =
+      descend(std::move(root), surface.near(box), kMostClearanceLevels, budget, close_to);
+  return !left && !budget.is_spent();
 }
 
-std::optional<double> end_distance(const SkinFacets& skin, const VolumeSpace& volume,
+std::optional<double> end_distance(SurfaceView& surface, const VolumeSpace& volume,
                                    const MicroBridge& bridge, double most) {
   const ScopedUpward upward;
-  const NetHalver halver = halver_of(bridge, 1);
-  std::vector<NetNode> stack = {node_of(bridge, true)};
-  const Point3d unit = unit_of(volume, halver.box(stack.back()));
+  NetShape shape = shape_of(bridge, 1);
+  std::vector<NetNode> stack = {node_of(bridge, shape)};
+  shape.unit = unit_of(volume, stack.back().box());
   std::vector<HullPoints> hulls;
   int left = kMostEndNodes;
   double worst = 0;
@@ -237,22 +158,56 @@ std::optional<double> end_distance(const SkinFacets& skin, const VolumeSpace& vo
     const NetNode node = std::move(stack.back());
     stack.pop_back();
     hulls.clear();
-    if (!volume.hulls(halver.box(node), &hulls)) return std::nullopt;
-    bool is_bounded = true;
+    if (!volume.hulls(node.box(), &hulls)) return std::nullopt;
     double here = 0;
-    for (const HullPoints& points : hulls) {
-      const auto bound = bound_of(skin, points, most);
-      is_bounded = is_bounded && bound.has_value();
-      if (bound) here = std::max(here, *bound);
-    }
-    if (is_bounded) {
+    for (const HullPoints& points : hulls)
+      if (here <= most) here = std::max(here, surface.reach(points, most));
+    if (here <= most) {
       worst = std::max(worst, here);
       continue;
     }
     if (node.level >= kMostEndLevels || --left < 0) return std::nullopt;
-    auto [low, high] = halver.halves(node, halver.longest(node, unit));
+    auto [low, high] = node.halves();
     stack.push_back(std::move(low));
     stack.push_back(std::move(high));
+  }
+  return worst;
+}
+
+bool misses_surface(SurfaceView& surface, SweepNodes& sweep) {
+  const ScopedUpward upward;
+  DescentBudget budget({kMostClearanceNodes, kMostClearancePairs});
+  HullPoints points;
+  NodePoints image;
+  const auto close_to = [&](const SweepPiece& piece, PartNumbers* near) {
+    sweep.points(piece.node, &points);
+    image.assign(points);
+    budget.add_pairs(surface.keep_close({&image, 1}, near));
+  };
+  const auto left = descend(SweepPiece{&sweep, {}, 0}, surface.near(sweep.box({})),
+                            kMostClearanceLevels, budget, close_to);
+  return !left && !budget.is_spent();
+}
+
+std::optional<double> end_distance(SurfaceView& surface, SweepNodes& sweep, double most) {
+  const ScopedUpward upward;
+  std::vector<std::pair<std::uint32_t, int>> stack = {{0, 0}};  // parts and their levels
+  HullPoints points;
+  int left = kMostEndNodes;
+  double worst = 0;
+  while (!stack.empty()) {
+    const auto [part, level] = stack.back();
+    stack.pop_back();
+    sweep.end_points(part, &points);
+    const double here = surface.reach(points, most);
+    if (here <= most) {
+      worst = std::max(worst, here);
+      continue;
+    }
+    if (level >= kMostEndLevels || --left < 0) return std::nullopt;
+    const auto [low, high] = sweep.halves_of_part(part);
+    stack.emplace_back(low, level + 1);
+    stack.emplace_back(high, level + 1);
   }
   return worst;
 }

@@ -8,7 +8,7 @@
 
 #include "solids/micro/bridge/bridge_slices.h"
 #include "solids/micro/bridge_front.h"
-#include "solids/micro/cap_matching.h"
+#include "solids/micro/matched_caps.h"
 #include "solids/micro/wall_pairs.h"
 
 namespace veritope {
@@ -27,7 +27,9 @@ class BridgeProver {
       if (cost > kMaxBridgeCost)
         return BridgeDefect{"B2", b, "the bridges have too many or too long numbers"};
     }
-    find_matched_caps();
+    std::vector<CapPlace> places;
+    for (const MicroBridge& b : micro_.bridges) places.push_back(b.cap);
+    matched_ = matched_caps(micro_, cage_, tiles_, places);
     for (std::size_t b = 0; b < micro_.bridges.size(); ++b)
       if (auto defect = prove(b)) return std::move(*defect);
     for (std::size_t b = 0; b < micro_.bridges.size(); ++b)
@@ -39,32 +41,6 @@ class BridgeProver {
   }
 
  private:
-  static CapPlace place_of(const CellWall& w) { return {w.grid, w.cell, w.wall}; }
-
-  // The bridged walls whose caps are equal to another one.
-  void find_matched_caps() {
-    CapMatcher matcher(tiles_);
-    const auto is_bridged = [&](const CellWall& w) {
-      const auto at = std::lower_bound(
-          micro_.bridges.begin(), micro_.bridges.end(), place_of(w),
-          [](const MicroBridge& b, const CapPlace& place) { return b.cap < place; });
-      return at != micro_.bridges.end() && at->cap == place_of(w);
-    };
-    for_each_wall_pair(micro_, cage_, [&](const WallPair& pair) {
-      if (!is_bridged(pair.walls[0]) && !is_bridged(pair.walls[1])) return true;
-      std::array<std::uint32_t, 2> tiles{};
-      std::array<WallNumbers, 2> numbers{};
-      for (std::size_t side = 0; side < 2; ++side) {
-        const MicroGrid& grid = micro_.grids[pair.walls[side].grid];
-        tiles[side] = grid.tiles[pair.walls[side].cell] - 1u;
-        numbers[side] = grid.numbers_of(grid.shape().index_of(pair.walls[side].cell));
-      }
-      if (!matcher.match(pair, tiles, numbers).equal.empty())
-        for (const CellWall& w : pair.walls) matched_.insert(place_of(w));
-      return true;
-    });
-  }
-
   std::optional<BridgeDefect> prove(std::size_t number) {
     const MicroBridge& bridge = micro_.bridges[number];
     const auto fails = [&](const char* condition, std::string message) {

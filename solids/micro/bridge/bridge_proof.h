@@ -22,8 +22,8 @@ struct BridgeWitness {
 
 /// Why a bridge is not proved.
 struct BridgeDefect {
-  const char* condition = "";  ///< "B2", "R1", "R2", "R3" or "R4"
-  std::size_t bridge = 0;
+  const char* condition = "";  ///< "B2" or "R1" to "R4"; of a sweep "Q1" to "Q4"
+  std::size_t bridge = 0;      ///< or the number of the sweep
   std::string message;
 };
 

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "interval/box_geometry.h"
 #include "solids/micro/bridge/bridge_proposals_internal.h"
+#include "solids/micro/bridge/plain_vectors_internal.h"
 
 namespace veritope::internal {
 namespace {
@@ -50,21 +52,6 @@ constexpr std::array<EndShape, kBridgeTries> kEndShapes = {{
 constexpr double kMostDepth = 0.6;
 constexpr int kMostMarchSteps = 32;
 
-Point3d sum_of(const Point3d& a, double k, const Point3d& b) {
-  return {a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]};
-}
-double dot_product(const Point3d& a, const Point3d& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-double size_of(const Point3d& a) { return std::sqrt(dot_product(a, a)); }
-Point3d cross_product(const Point3d& a, const Point3d& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Point3d unit_vector(const Point3d& a) {
-  const double n = size_of(a);
-  return {a[0] / n, a[1] / n, a[2] / n};
-}
-
 // v turned by the part `turn` of the rotation that takes the unit vector a to the unit vector b.
 Point3d turned(const Point3d& v, const Point3d& a, const Point3d& b, double turn) {
   Point3d k = cross_product(a, b);
@@ -94,23 +81,18 @@ Point3d pushed_forward(const std::array<Point3d, 3>& columns, const Point3d& o) 
   return out;
 }
 
+Point3d nearest_point(const TilePoint& p) {
+  return {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
+}
 Rational dyadic(double x, int bits) {
   return Rational::from_double(std::ldexp(std::nearbyint(std::ldexp(x, bits)), -bits));
-}
-ExactPoint exact_point(const Point3d& p) {
-  return {Rational::from_double(p[0]), Rational::from_double(p[1]), Rational::from_double(p[2])};
-}
-Point3d approx_point(const ExactPoint& p) {
-  return {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
 }
 
 }  // namespace
 
-BridgeProposals::BridgeProposals(const TriangleMesh& mesh, const MeshProjection& projection,
-                                 const VolumeSpace& space, const BridgeOptions& options,
-                                 const OpenCap& cap)
-    : mesh_(mesh),
-      projection_(projection),
+BridgeProposals::BridgeProposals(const SkinProjection& projection, const VolumeSpace& space,
+                                 const BridgeOptions& options, const OpenCap& cap)
+    : projection_(projection),
       space_(space),
       options_(options),
       cap_(cap),
@@ -123,28 +105,11 @@ BridgeProposals::BridgeProposals(const TriangleMesh& mesh, const MeshProjection&
   normal_ = unit_vector(cross_product(start_->partial[b], start_->partial[c]));
   if (dot_product(normal_, axis_) < 0)
     for (double& x : normal_) x = -x;
-  distance_ =
-      std::sqrt(nearest_double(projection.project(exact_point(start_->image)).squared_distance));
+  distance_ = distance_to(start_->image);
 }
 
-SkinPoint BridgeProposals::project(const Point3d& p) const {
-  const MeshProjectionAnswer answer = projection_.project(exact_point(p));
-  const NearestPoint& nearest = answer.nearest.front();
-  const auto& face = mesh_.faces[nearest.facet];
-  std::array<Point3d, 3> q;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3d& x = mesh_.positions[face[i]];
-    q[i] = {x.x, x.y, x.z};
-  }
-  SkinPoint out{approx_point(nearest.point),
-                unit_vector(cross_product(sum_of(q[1], -1, q[0]), sum_of(q[2], -1, q[0])))};
-  const Point3d way = sum_of(p, -1, out.at);
-  if (nearest.feature == MeshFeature::kFacet || !(size_of(way) > 0)) return out;
-  const double side = dot_product(out.normal, way);
-  out.normal = unit_vector(way);
-  if (side < 0)
-    for (double& x : out.normal) x = -x;
-  return out;
+double BridgeProposals::distance_to(const Point3d& p) const {
+  return std::sqrt(std::max(0.0, approx_middle(projection_.squared_distance(exact_point(p)))));
 }
 
 std::optional<BridgeProposals::End> BridgeProposals::find_end(std::size_t target) const {
@@ -156,7 +121,7 @@ std::optional<BridgeProposals::End> BridgeProposals::find_end(std::size_t target
     if (!here) return std::nullopt;
     from = *here;
   }
-  const SkinPoint skin = project(from);
+  const SkinPoint skin = projection_.project(from);
   End out{skin.at, skin.normal, size_of(sum_of(skin.at, -1, start_->image))};
   if (target == 0) out.reach = distance_;
   return out;
@@ -173,8 +138,7 @@ std::optional<Point3d> BridgeProposals::end_of_line() const {
     const std::optional<ApproxPlace> next = space_.place(to);
     if (!next) return std::nullopt;
     here = *next;
-    distance =
-        std::sqrt(nearest_double(projection_.project(exact_point(here.image)).squared_distance));
+    distance = distance_to(here.image);
   }
   return here.image;
 }
@@ -212,7 +176,7 @@ MicroBridge BridgeProposals::shape(const End& end, const ApproxPlace& place, dou
     TilePoint row;
     for (std::size_t c = 0; c < 3; ++c) row[c] = cap_.surface.component(static_cast<int>(c))[i];
     out.points.push_back(row);
-    Point3d offset = sum_of(approx_point(row), -1, cap_.middle);
+    Point3d offset = sum_of(nearest_point(row), -1, cap_.middle);
     row[axis] += mu;
     out.points.push_back(row);
     for (double& x : offset) x *= size;

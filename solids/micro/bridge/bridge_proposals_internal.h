@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "solids/classify/mesh_projection.h"
 #include "solids/micro/bridge/build_bridges.h"
 #include "solids/micro/bridge/cage_space_internal.h"
+#include "solids/micro/bridge/skin_projection_internal.h"
 #include "solids/micro/bridge_front.h"
 
 namespace veritope::internal {
@@ -27,16 +27,11 @@ struct OpenCap {
   double cell_size = 0;  ///< of the cell along the axis, in parameters
 };
 
-/// An approximate point of the surface, and the normal there, outward.
-struct SkinPoint {
-  Point3d at{}, normal{};
-};
-
 /// Proposes bridges for one cap: first that of algorithm 4, then others whose ends are moved.
 class BridgeProposals {
  public:
-  BridgeProposals(const TriangleMesh& mesh, const MeshProjection& projection,
-                  const VolumeSpace& space, const BridgeOptions& options, const OpenCap& cap);
+  BridgeProposals(const SkinProjection& projection, const VolumeSpace& space,
+                  const BridgeOptions& options, const OpenCap& cap);
 
   /// The distance of the cap's middle from the surface is under a twentieth of the arm.
   bool is_flat() const { return !(distance_ >= cap_.arm / 20); }
@@ -50,15 +45,14 @@ class BridgeProposals {
     double reach = 0;  ///< the distance of the end from the cap
   };
 
-  SkinPoint project(const Point3d& p) const;
+  double distance_to(const Point3d& p) const;
   const std::optional<End>& end_of(std::size_t target);
   std::optional<End> find_end(std::size_t target) const;
   std::optional<Point3d> end_of_line() const;
   MicroBridge shape(const End& end, const ApproxPlace& place, double size, double turn,
                     double lead) const;
 
-  const TriangleMesh& mesh_;
-  const MeshProjection& projection_;
+  const SkinProjection& projection_;
   const VolumeSpace& space_;
   const BridgeOptions& options_;
   const OpenCap& cap_;

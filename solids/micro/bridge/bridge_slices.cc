@@ -125,8 +125,6 @@ bool cut_off_tiles(const TileCells& cells, const CapPlace& cap, const BridgeFron
 
 namespace {
 
-constexpr std::uint64_t kMostBins = 512;  // of a bridge
-
 // Cuts both until their slices are disjoint; false if that does not succeed.
 bool separate(BridgeSlices& a, BridgeSlices& b) {
   for (std::size_t i = 0; i < a.slices().size();) {
@@ -152,15 +150,6 @@ bool separate(BridgeSlices& a, BridgeSlices& b) {
   return true;
 }
 
-std::uint64_t key_of_bin(std::uint32_t volume, const std::array<std::int64_t, 3>& at) {
-  std::uint64_t key = volume;
-  for (const std::int64_t x : at) {
-    key ^= static_cast<std::uint64_t>(x) + 0x9e3779b97f4a7c15u + (key << 6) + (key >> 2);
-    key *= 0xff51afd7ed558ccdu;
-  }
-  return key;
-}
-
 }  // namespace
 
 DisjointBridges::DisjointBridges(const Microstructure& micro) {
@@ -170,58 +159,27 @@ DisjointBridges::DisjointBridges(const Microstructure& micro) {
       counts[grid.volume][a] =
           std::max<std::uint64_t>(counts[grid.volume][a], grid.breaks[a].size() - 1);
   for (std::size_t v = 0; v < micro.cage.size(); ++v) {
-    auto& size = sizes_.emplace_back();
+    Point3d size;
     for (std::size_t a = 0; a < 3; ++a) {
       const KnotAxis<Rational>& axis = micro.cage[v].axis(a);
       size[a] = nearest_double(axis.domain_end() - axis.domain_begin()) /
                 static_cast<double>(std::max<std::uint64_t>(1, counts[v][a]));
     }
+    bins_.emplace_back(size);
   }
-}
-
-template <typename Visit>
-void DisjointBridges::for_each_bin(std::uint32_t volume, const Box3d& box, Visit visit) const {
-  std::array<std::int64_t, 3> lo, hi;
-  for (std::size_t a = 0; a < 3; ++a) {
-    lo[a] = static_cast<std::int64_t>(std::floor(box.lo[a] / sizes_[volume][a]));
-    hi[a] = static_cast<std::int64_t>(std::floor(box.hi[a] / sizes_[volume][a]));
-  }
-  for (std::int64_t i = lo[0]; i <= hi[0]; ++i)
-    for (std::int64_t j = lo[1]; j <= hi[1]; ++j)
-      for (std::int64_t k = lo[2]; k <= hi[2]; ++k) visit(key_of_bin(volume, {i, j, k}));
 }
 
 std::optional<std::size_t> DisjointBridges::add(BridgeSlices bridge) {
   const std::uint32_t volume = bridge.volume();
-  double bins = 1;
-  for (std::size_t a = 0; a < 3; ++a)
-    bins *= 2 + (bridge.box().hi[a] - bridge.box().lo[a]) / sizes_[volume][a];
-  const bool is_large = !(bins <= static_cast<double>(kMostBins));
-  std::vector<std::uint32_t> near = large_;
-  if (is_large) {
-    near.clear();
-    for (std::uint32_t i = 0; i < bridges_.size(); ++i) near.push_back(i);
-  } else {
-    for_each_bin(volume, bridge.box(), [&](std::uint64_t key) {
-      if (const auto bin = bins_.find(key); bin != bins_.end())
-        near.insert(near.end(), bin->second.begin(), bin->second.end());
-    });
-  }
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
   std::vector<std::pair<std::uint32_t, BridgeSlices>> changed;
-  for (const std::uint32_t i : near) {
-    if (bridges_[i].volume() != volume || !meets(bridges_[i].box(), bridge.box())) continue;
+  for (const std::uint32_t i : bins_[volume].near(bridge.box())) {
+    if (!meets(bridges_[i].box(), bridge.box())) continue;
     BridgeSlices other = bridges_[i];
     if (!separate(bridge, other)) return i;
     changed.emplace_back(i, std::move(other));
   }
   for (auto& [i, slices] : changed) bridges_[i] = std::move(slices);
-  const auto number = static_cast<std::uint32_t>(bridges_.size());
-  if (is_large)
-    large_.push_back(number);
-  else
-    for_each_bin(volume, bridge.box(), [&](std::uint64_t key) { bins_[key].push_back(number); });
+  bins_[volume].add(static_cast<std::uint32_t>(bridges_.size()), bridge.box());
   bridges_.push_back(std::move(bridge));
   return std::nullopt;
 }

@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "interval/box.h"
 #include "robust/base/box3d.h"
+#include "solids/micro/bridge/box_bins.h"
 #include "solids/micro/bridge_front.h"
 
 namespace veritope {
@@ -88,12 +88,7 @@ class DisjointBridges {
   std::size_t size() const { return bridges_.size(); }
 
  private:
-  template <typename Visit>
-  void for_each_bin(std::uint32_t volume, const Box3d& box, Visit visit) const;
-
-  std::vector<std::array<double, 3>> sizes_;  // of bins, by volumes
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> bins_;
-  std::vector<std::uint32_t> large_;  // bridges in too many bins
+  std::vector<internal::BoxBins> bins_;  // by volumes
   std::vector<BridgeSlices> bridges_;
 };
 

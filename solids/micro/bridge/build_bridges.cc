@@ -13,9 +13,12 @@
 #include "robust/base/parallel.h"
 #include "solids/micro/bridge/bridge_clearance_internal.h"
 #include "solids/micro/bridge/bridge_matrix.h"
+#include "solids/micro/bridge/bridge_measures_internal.h"
 #include "solids/micro/bridge/bridge_proof.h"
 #include "solids/micro/bridge/bridge_proposals_internal.h"
 #include "solids/micro/bridge/bridge_slices.h"
+#include "solids/micro/surface/patch_surface.h"
+#include "solids/micro/surface/triangle_surface.h"
 #include "splines/de_casteljau.h"
 #include "splines/knot_insertion.h"
 
@@ -26,9 +29,6 @@ using internal::BridgeProposals;
 using internal::kBridgeTries;
 using internal::OpenCap;
 using internal::VolumeSpace;
-
-// Bounds of 180 / pi.
-constexpr double kDegreesBelow = 57.2957795130823, kDegreesAbove = 57.2957795130824;
 
 // A bridge that only other bridges may be against.
 struct FoundBridge {
@@ -49,16 +49,15 @@ struct CapSearch {
 
 class BridgeBuilder {
  public:
-  BridgeBuilder(const TriangleMesh& mesh, const VModel& cage,
-                const std::vector<AnalysedTile>& tiles, const BridgeOptions& options,
-                Microstructure& micro)
-      : mesh_(mesh),
+  BridgeBuilder(const SolidSurface& surface, const internal::SkinProjection& projection,
+                const VModel& cage, const std::vector<AnalysedTile>& tiles,
+                const BridgeOptions& options, Microstructure& micro)
+      : surface_(surface),
+        projection_(projection),
         cage_(cage),
         tiles_(tiles),
         options_(options),
         micro_(micro),
-        projection_(mesh),
-        skin_(mesh),
         cells_(micro),
         disjoint_(micro) {}
 
@@ -140,16 +139,16 @@ class BridgeBuilder {
   void advance(CapSearch& search) const {
     if (search.is_built || search.next_try >= kBridgeTries) return;
     if (!search.proposals) {
-      search.proposals.emplace(mesh_, projection_, spaces_[search.cap.front.volume], options_,
-                               search.cap);
+      search.proposals.emplace(projection_, spaces_[search.cap.front.volume], options_, search.cap);
       if (search.proposals->is_flat()) {
         search.worst = BridgeDrop::kFlat;
         search.next_try = kBridgeTries;
       }
     }
-    while (search.next_try < kBridgeTries && !search.found) try_next(search);
+    const auto view = surface_.view();
+    while (search.next_try < kBridgeTries && !search.found) try_next(*view, search);
   }
-  void try_next(CapSearch& search) const {
+  void try_next(SurfaceView& view, CapSearch& search) const {
     const auto fails = [&](BridgeDrop why) { search.worst = std::max(search.worst, why); };
     std::optional<MicroBridge> bridge = search.proposals->propose(search.next_try++);
     const BridgeFront& front = search.cap.front;
@@ -162,8 +161,8 @@ class BridgeBuilder {
     BridgeSlices slices(*bridge);
     if (!cut_off_tiles(cells_, bridge->cap, front, slices)) return fails(BridgeDrop::kTile);
     const VolumeSpace& space = spaces_[front.volume];
-    const auto reach = end_distance(skin_, space, *bridge, options_.skin);
-    if (!reach || !misses_facets(skin_, space, *bridge)) return fails(BridgeDrop::kSkin);
+    const auto reach = end_distance(view, space, *bridge, options_.skin);
+    if (!reach || !misses_surface(view, space, *bridge)) return fails(BridgeDrop::kSkin);
     search.found = FoundBridge{std::move(*bridge), std::move(slices), *reach};
   }
 
@@ -190,11 +189,8 @@ class BridgeBuilder {
       }
       ++report_.built;
       const double hi = search.found->reach, lo = least_reach(search);
-      report_.reach.lo = is_first ? lo : std::min(report_.reach.lo, lo);
-      report_.reach.hi = is_first ? hi : std::max(report_.reach.hi, hi);
-      const BridgeRange kink = kink_of(search.cap);
-      report_.kink.lo = is_first ? kink.lo : std::min(report_.kink.lo, kink.lo);
-      report_.kink.hi = is_first ? kink.hi : std::max(report_.kink.hi, kink.hi);
+      internal::widen({lo, hi}, is_first, &report_.reach);
+      internal::widen(kink_of(search.cap), is_first, &report_.kink);
       is_first = false;
       micro_.bridges.push_back(std::move(search.found->bridge));
     }
@@ -212,19 +208,9 @@ class BridgeBuilder {
     const Box3d at{{corner[0].lo(), corner[1].lo(), corner[2].lo()},
                    {corner[0].hi(), corner[1].hi(), corner[2].hi()}};
     if (!spaces_[b.volume].hulls(at, &hulls) || hulls.empty()) return 0;
-    Box3 image = hulls.front().front();
-    for (const auto& points : hulls)
-      for (const Box3& p : points) image = hull(image, p);
-    ExactPoint middle;
-    Interval radius;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double m = 0.5 * image[c].lo() + 0.5 * image[c].hi();
-      middle[c] = Rational::from_double(m);
-      const Interval off = image[c] - Interval(m);
-      radius += Interval(std::max(std::abs(off.lo()), std::abs(off.hi())));
-    }
-    const Interval distance = sqrt(enclose(projection_.project(middle).squared_distance));
-    return std::max(0.0, (distance - radius).lo());
+    Box3 image = Box3::empty();
+    for (const auto& points : hulls) image = hull(image, internal::hull_of(points));
+    return internal::distance_below(projection_, image);
   }
 
   // Nothing where the map has one derivative at the wall. Else the angle between the derivatives on both sides.
@@ -239,26 +225,15 @@ class BridgeBuilder {
     const KnotAxis<Rational>& knots = micro_.cage[own.volume].axis(own.axis);
     if (!cap.front.is_in_face && multiplicity(knots, own.at) < knots.degree) return {};
     const auto surface = cap_on_front(micro_, cage_, tiles_, cap.cap, own);
-    constexpr BridgeRange kAny = {0, 180};
-    if (!surface) return kAny;
+    if (!surface) return internal::kAnyAngle;
     const ScopedUpward upward;
     internal::HullPoints back, on;
     if (!spaces_[own.volume].directions(box_of_surface(*surface), own.axis, !own.is_upward,
                                         &back) ||
         !spaces_[cap.front.volume].directions(box_of_surface(cap.surface), cap.front.axis,
                                               cap.front.is_upward, &on))
-      return kAny;
-    const Box3 a = hull_of(back), b = hull_of(on);
-    const Interval cosine = -internal::dot(a, b) / (internal::norm(a) * internal::norm(b));
-    const Interval angle = acos(intersection(cosine, Interval::from_bounds(-1, 1))) *
-                           Interval::from_bounds(kDegreesBelow, kDegreesAbove);
-    if (angle.is_empty() || !(angle.hi() < 200)) return kAny;
-    return {std::max(0.0, angle.lo()), std::min(180.0, angle.hi())};
-  }
-  static Box3 hull_of(const internal::HullPoints& points) {
-    Box3 out = Box3::empty();
-    for (const Box3& p : points) out = hull(out, p);
-    return out;
+      return internal::kAnyAngle;
+    return internal::angle_between(Interval(-1.0) * internal::hull_of(back), internal::hull_of(on));
   }
   // REQUIRES a live ScopedUpward.
   static Box3d box_of_surface(const BezierSurface<Rational>& surface) {
@@ -272,19 +247,22 @@ class BridgeBuilder {
     return out;
   }
 
-  const TriangleMesh& mesh_;
+  const SolidSurface& surface_;
+  const internal::SkinProjection& projection_;
   const VModel& cage_;
   const std::vector<AnalysedTile>& tiles_;
   const BridgeOptions& options_;
   Microstructure& micro_;
-  MeshProjection projection_;
-  SkinFacets skin_;
   TileCells cells_;
   DisjointBridges disjoint_;
   std::vector<VolumeSpace> spaces_;
   std::vector<CapSearch> searches_;
   BridgeReport report_;
 };
+
+double skin_of_box(const Box3d& box) {
+  return std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]) / 100;
+}
 
 }  // namespace
 
@@ -297,13 +275,25 @@ const char* bridge_drop_name(BridgeDrop drop) {
 double default_skin(const TriangleMesh& mesh) {
   Box3d box = empty_box();
   for (const Vec3d& p : mesh.positions) add({p.x, p.y, p.z}, &box);
-  return std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]) / 100;
+  return skin_of_box(box);
+}
+double default_skin(const PatchComplex& complex) {
+  return skin_of_box(PatchSurface(complex).box());
 }
 
 Result<BridgeReport> build_bridges(const TriangleMesh& mesh, const VModel& cage,
                                    const std::vector<AnalysedTile>& tiles,
                                    const BridgeOptions& options, Microstructure& micro) {
-  return BridgeBuilder(mesh, cage, tiles, options, micro).run();
+  return BridgeBuilder(TriangleSurface(mesh), *internal::skin_projection(mesh), cage, tiles,
+                       options, micro)
+      .run();
+}
+Result<BridgeReport> build_bridges(const PatchComplex& complex, const VModel& cage,
+                                   const std::vector<AnalysedTile>& tiles,
+                                   const BridgeOptions& options, Microstructure& micro) {
+  return BridgeBuilder(PatchSurface(complex), *internal::skin_projection(complex), cage, tiles,
+                       options, micro)
+      .run();
 }
 
 }  // namespace veritope

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/micro/bridge/build_bridges.h: BridgeTilesToM and BuildBridgeTile, algorithms 3 and 4 of [HPE22], in the
 // parameters of the cage: every cap of a tile whose neighbour was not kept is continued to the skin of the solid.
-// Design: docs/design/0079-bridges.md.
+// Design: docs/design/0079-bridges.md and 0089-microstructures-in-solids-of-patches.md.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -12,6 +12,7 @@
 #include "robust/base/result.h"
 #include "solids/micro/microstructure.h"
 #include "solids/micro/tile_analysis.h"
+#include "solids/patches/patch_complex.h"
 #include "solids/polyhedron/triangle_mesh.h"
 
 namespace veritope {
@@ -58,8 +59,10 @@ struct BridgeReport {
   BridgeRange kink;
 };
 
-/// A hundredth of the diagonal of the mesh's box, rounded. REQUIRES a vertex.
+/// A hundredth of the diagonal of a box around the mesh or the patches, approximately. REQUIRES a vertex; a patch, and
+/// positive weights.
 double default_skin(const TriangleMesh& mesh);
+double default_skin(const PatchComplex& complex);
 
 /// Adds a bridge to each cap of a tile that meets no other cell with a tile, where it is proved that the bridge
 /// satisfies R1 to R4 of docs/certificates/microstructure.md, lies in the interior of the solid, and ends within
@@ -69,6 +72,10 @@ double default_skin(const TriangleMesh& mesh);
 /// @error kOverLimit: too many pairs of walls between grids, too many bridges; FastSpline::prepare
 /// @cost  milliseconds for each cap
 Result<BridgeReport> build_bridges(const TriangleMesh& mesh, const VModel& cage,
+                                   const std::vector<AnalysedTile>& tiles,
+                                   const BridgeOptions& options, Microstructure& micro);
+/// Leads bridges to a complex of patches that bounds a solid (certified valid), in the same way.
+Result<BridgeReport> build_bridges(const PatchComplex& complex, const VModel& cage,
                                    const std::vector<AnalysedTile>& tiles,
                                    const BridgeOptions& options, Microstructure& micro);
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "solids/micro/compose/cell_piece_internal.h"
+#include "solids/micro/cell_piece.h"
 #include "splines/bezier_lowering.h"
 #include "splines/bspline_pieces.h"
 #include "splines/composition.h"
@@ -69,7 +69,7 @@ class CageComposer {
   const Microstructure& micro_;
   const VolumesOfTile& volumes_;
   std::size_t max_volumes_;
-  internal::CellPiece piece_;
+  CellPiece piece_;
   std::vector<VVolume> out_;
 };
 

@@ -256,23 +256,23 @@ std::optional<ExactPoint> point_beside(const MeshModel& model, const TilePiece& 
       z[c] += Rational::from_double(step * direction[c]);
     }
     // A coordinate with few bits is cheaper, and as good.
-    const Point3d near = approx_of(z);
-    if (!std::isfinite(near[0] + near[1] + near[2])) return std::nullopt;
+    const Point3d rounded = approx_of(z);
+    if (!std::isfinite(rounded[0] + rounded[1] + rounded[2])) return std::nullopt;
     if (std::all_of(half_spaces.begin(), half_spaces.end(), [&](const ExactHalfSpace& h) {
-          return h.height(exact_of(near)).sign() == Sign::kPositive;
+          return h.height(exact_of(rounded)).sign() == Sign::kPositive;
         }))
-      z = exact_of(near);
+      z = exact_of(rounded);
     if (!std::all_of(half_spaces.begin(), half_spaces.end(), [&](const ExactHalfSpace& h) {
           return h.height(z).sign() == Sign::kPositive;
         }))
       return std::nullopt;
     const GrownHull hull(piece, Box3(enclose(z[0]), enclose(z[1]), enclose(z[2])));
-    bool is_free = true;
-    model.visit_facets(hull.box(), [&](std::uint32_t f) {
-      is_free = is_free && (std::binary_search(touching.begin(), touching.end(), f) ||
-                            hull.is_apart(model.corners(f)));
-    });
-    if (is_free) return z;
+    const std::vector<std::uint32_t> near = model.facets_near(hull.box());
+    if (std::all_of(near.begin(), near.end(), [&](std::uint32_t f) {
+          return std::binary_search(touching.begin(), touching.end(), f) ||
+                 hull.is_apart(model.corners(f));
+        }))
+      return z;
   }
   return std::nullopt;
 }

@@ -19,8 +19,7 @@ class Facets final : public Obstacles {
       : model_(model), limits_(limits), exact_(cell, tile) {}
 
   std::vector<std::uint32_t> near(const TilePiece& piece) override {
-    std::vector<std::uint32_t> out;
-    model_.visit_facets(box_of(piece), [&](std::uint32_t f) { out.push_back(f); });
+    std::vector<std::uint32_t> out = model_.facets_near(box_of(piece));
     keep_close(piece, &out);
     return out;
   }
@@ -54,7 +53,7 @@ bool Facets::looks_like_contact(const TilePiece& piece,
   const double tolerance = 0x1p-20 * size + 0x1p-46 * scale;
   bool is_near = false;
   for (const std::uint32_t f : facets) {
-    const FacetCorners& facet = model_.corners(f);
+    const FacetCorners facet = model_.corners(f);
     if (!hull.may_have_gap(facet, -tolerance)) return false;
     is_near = is_near || !hull.may_have_gap(facet, tolerance);
   }
@@ -82,16 +81,6 @@ PieceSide Facets::examine(const TilePiece& piece, std::span<const std::uint32_t>
 
 MeshModel::MeshModel(const TriangleMesh& mesh, MeshClassifier classifier)
     : mesh_(&mesh), classifier_(std::move(classifier)) {
-  std::vector<Box3d> boxes;
-  boxes.reserve(mesh.faces.size());
-  corners_.reserve(mesh.faces.size());
-  for (const auto& t : mesh.faces) {
-    corners_.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
-    Box3d box = empty_box();
-    for (const Vec3d& p : corners_.back()) add(to_point(p), &box);
-    boxes.push_back(box);
-  }
-  facet_tree_ = BoxHierarchy(boxes);
   find_shells();
 }
 

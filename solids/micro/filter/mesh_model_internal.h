@@ -7,7 +7,6 @@
 #include <memory>
 #include <vector>
 
-#include "solids/base/box_hierarchy.h"
 #include "solids/classify/mesh_classifier.h"
 #include "solids/micro/filter/filter_model_internal.h"
 
@@ -31,12 +30,14 @@ class MeshModel final : public TileFilter::Model {
     return Box3(Interval(p.x), Interval(p.y), Interval(p.z));
   }
 
-  /// Calls visit(facet) for every facet whose box meets the box. Facets have numbers of their own.
-  template <typename Visit>
-  void visit_facets(const Box3d& box, Visit visit) const {
-    facet_tree_.visit([&](const Box3d& b) { return meets(b, box); }, visit);
+  /// In increasing order: all facets that meet the box, and perhaps others near it.
+  std::vector<std::uint32_t> facets_near(const Box3d& box) const {
+    return classifier_.facets_near(box);
   }
-  const FacetCorners& corners(std::uint32_t facet) const { return corners_[facet]; }
+  FacetCorners corners(std::uint32_t facet) const {
+    const auto& t = mesh_->faces[facet];
+    return {mesh_->positions[t[0]], mesh_->positions[t[1]], mesh_->positions[t[2]]};
+  }
 
  private:
   Value3 finite_value(const Box3d& box) const override { return classifier_.value(box); }
@@ -44,8 +45,6 @@ class MeshModel final : public TileFilter::Model {
 
   const TriangleMesh* mesh_;
   MeshClassifier classifier_;
-  std::vector<FacetCorners> corners_;
-  BoxHierarchy facet_tree_;
 };
 
 }  // namespace veritope::internal

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "interval/upward.h"
+#include "solids/classify/patch_cuts.h"
 
 namespace veritope::internal {
 
@@ -108,29 +109,12 @@ PatchModel::PatchModel(const PatchComplex& complex)
   find_shells(complex);
 }
 
-// Halves the largest parts until there are many.
 void PatchModel::cut(const PatchComplex& complex) {
-  struct BySize {
-    bool operator()(const PatchPiece& a, const PatchPiece& b) const {
-      return extent(a.box()) < extent(b.box());
-    }
-  };
-  std::vector<PatchPiece> heap;
-  for (std::uint32_t p = 0; p < complex.patches().size(); ++p)
-    heap.emplace_back(complex.patch(p), p);
-  std::make_heap(heap.begin(), heap.end(), BySize());
-  while (heap.size() < kManyParts && heap.front().can_halve()) {
-    std::pop_heap(heap.begin(), heap.end(), BySize());
-    auto [low, high] = heap.back().halves(heap.back().longer_axis());
-    heap.back() = std::move(low);
-    std::push_heap(heap.begin(), heap.end(), BySize());
-    heap.push_back(std::move(high));
-    std::push_heap(heap.begin(), heap.end(), BySize());
-  }
+  std::vector<PatchPiece> pieces = pieces_of(complex, kManyParts);
   std::vector<Box3d> boxes;
   Box3d all = empty_box();
-  parts_.reserve(heap.size());
-  for (PatchPiece& piece : heap) {
+  parts_.reserve(pieces.size());
+  for (PatchPiece& piece : pieces) {
     boxes.push_back(piece.box());
     all = hull(all, piece.box());
     parts_.emplace_back(std::move(piece));

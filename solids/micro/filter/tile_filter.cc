@@ -31,7 +31,7 @@ TileFilter::TileFilter(TileFilter&&) noexcept = default;
 TileFilter::~TileFilter() = default;
 
 Result<TileFilter> TileFilter::make(const TriangleMesh& mesh) {
-  Result<MeshClassifier> classifier = MeshClassifier::make(mesh);
+  Result<MeshClassifier> classifier = MeshClassifier::make(mesh, nullptr, LookupDetail::kForBoxes);
   if (!classifier) return classifier.error();
   return TileFilter(
       std::make_unique<const internal::MeshModel>(mesh, std::move(classifier.value())));

@@ -42,7 +42,7 @@ class TileFilter {
   /// REQUIRES a mesh that bounds a solid (certified valid), finite, with fewer than 2^30 faces. The mesh must outlive
   /// the filter.
   /// @error as MeshClassifier::make
-  /// @cost  near-linear in the facets; approximately 400 bytes a facet
+  /// @cost  near-linear in the facets; approximately 200 bytes a facet
   static Result<TileFilter> make(const TriangleMesh& mesh);
   static Result<TileFilter> make(TriangleMesh&&) = delete;
   /// REQUIRES a complex that bounds a solid (certified valid). It must outlive the filter. CellFinding::vertex is then

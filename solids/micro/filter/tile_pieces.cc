@@ -14,6 +14,7 @@ namespace {
 // chain rule for f = F(P(u, v)).
 Point3d bend_of(const MapBounds& map, const Point3d& first, const Point3d& second) {
   Point3d out{};
+  if (first == Point3d{} && second == Point3d{}) return out;  // the second axis of a curve
   for (std::size_t c = 0; c < 3; ++c) {
     Interval sum;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -1,37 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/inside/descent_internal.h: nodes of docs/certificates/micro-inside.md, section 3, and their descents.
-// Internal to solids/micro/inside.
+// solids/micro/inside/descent_internal.h: nodes of docs/certificates/micro-inside.md, section 3. Internal to
+// solids/micro/inside.
 #pragma once
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "solids/micro/inside/inside_parts_internal.h"
+#include "solids/micro/surface/close_descent.h"
 
 namespace veritope::internal {
-
-/// Nodes that were visited, and pairs of a node and a triangle whose boxes meet.
-struct DescentCounts {
-  std::uint64_t nodes = 0, pairs = 0;
-  void add(const DescentCounts& more) { nodes += more.nodes, pairs += more.pairs; }
-  bool is_within(const DescentCounts& most) const {
-    return nodes <= most.nodes && pairs <= most.pairs;
-  }
-};
-class DescentBudget {
- public:
-  explicit DescentBudget(const DescentCounts& most) : most_(most) {}
-  void add_node() { ++counts_.nodes; }
-  void add_pair() { ++counts_.pairs; }
-  bool is_spent() const { return !counts_.is_within(most_); }
-  const DescentCounts& counts() const { return counts_; }
-
- private:
-  DescentCounts most_, counts_;
-};
 
 /// A part of a polynomial map of [0,1]^N, enclosed: Bernstein coefficients, the last axis fastest. All functions
 /// REQUIRE a live ScopedUpward.
@@ -72,30 +51,5 @@ class BridgeMaps {
  private:
   const VolumeMaps& maps_;
 };
-
-/// Visits nodes, depth first. close_to(node, facets) are those facets from which the node is not shown to be apart.
-/// @return  nothing if all nodes are dropped or the budget is spent; else a facet that stays close to a node that may
-///          not be halved
-template <typename Node, typename CloseTo>
-std::optional<std::uint32_t> descend(Node root, const std::vector<std::uint32_t>& facets,
-                                     DescentBudget& budget, CloseTo close_to) {
-  constexpr int kMaxLevel = 56;  // the page has 60
-  std::vector<std::pair<Node, std::vector<std::uint32_t>>> stack;
-  const auto visit = [&](Node node, const std::vector<std::uint32_t>& from) {
-    budget.add_node();
-    std::vector<std::uint32_t> close = close_to(node, from);
-    if (!close.empty()) stack.emplace_back(std::move(node), std::move(close));
-  };
-  visit(std::move(root), facets);
-  while (!stack.empty() && !budget.is_spent()) {
-    const auto [node, close] = std::move(stack.back());
-    stack.pop_back();
-    if (node.level >= kMaxLevel) return close.front();
-    auto parts = node.halves();
-    visit(std::move(parts.second), close);
-    visit(std::move(parts.first), close);
-  }
-  return std::nullopt;
-}
 
 }  // namespace veritope::internal

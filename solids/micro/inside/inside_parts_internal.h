@@ -7,19 +7,12 @@
 #include <optional>
 #include <vector>
 
-#include "solids/micro/inside/facet_planes_internal.h"
-#include "solids/micro/inside/micro_inside.h"
+#include "solids/micro/inside/grid_spans_internal.h"
+#include "solids/micro/inside/inside_solid_internal.h"
 #include "solids/micro/inside/part_net_internal.h"
 #include "splines/knot_insertion.h"
 
 namespace veritope::internal {
-
-/// Where a part [lo, hi] of an axis lies: the number of its knot span, and both ends in units of the span.
-struct SpanPart {
-  std::size_t span = 0;
-  Rational lo, hi;
-  Interval lo_bound, hi_bound;
-};
 
 /// The maps of a volume between its knots.
 class VolumeMaps {
@@ -34,8 +27,6 @@ class VolumeMaps {
   const BezierVolume<Rational>& exact(const std::array<std::size_t, 3>& spans) const {
     return pieces_.at(spans);
   }
-  /// The span that holds lo and hi. REQUIRES lo <= hi in one span.
-  SpanPart part(std::size_t axis, const Rational& lo, const Rational& hi) const;
   /// Exactly. REQUIRES a point of the domain.
   ExactPoint image(const TilePoint& x) const;
 
@@ -48,12 +39,10 @@ class VolumeMaps {
 struct InsideParts {
   const Microstructure& micro;
   const std::vector<AnalysedTile>& tiles;
-  const InsideModel& model;
+  const InsideSolid& solid;
   const InsideLimits& limits;
   unsigned jobs;
   std::vector<VolumeMaps> volumes;
-  FacetPlanes facets;
-  MeshClassifier classifier;
 
   /// The coefficients of a patch in a cell, in [0,1]^3.
   std::vector<TilePoint> exact_points(const CellPatch& at) const;

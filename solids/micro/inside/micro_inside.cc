@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "interval/upward.h"
-#include "robust/base/check.h"
 #include "robust/base/parallel.h"
 #include "solids/micro/inside/inside_parts_internal.h"
 #include "splines/de_casteljau.h"
@@ -19,25 +18,11 @@ internal::VolumeMaps::VolumeMaps(const VVolume& volume) : pieces_(bezier_pieces(
   for (const auto& piece : pieces_.pieces) nets_.emplace_back(piece);
 }
 
-SpanPart internal::VolumeMaps::part(std::size_t axis, const Rational& lo,
-                                    const Rational& hi) const {
-  const std::vector<Rational>& k = knots(axis);
-  const auto next = std::upper_bound(k.begin() + 1, k.end() - 1, lo);
-  SpanPart out;
-  out.span = static_cast<std::size_t>(next - k.begin()) - 1;
-  const Rational length = *next - *(next - 1);
-  out.lo = (lo - *(next - 1)) / length;
-  out.hi = (hi - *(next - 1)) / length;
-  out.lo_bound = enclose(out.lo);
-  out.hi_bound = enclose(out.hi);
-  return out;
-}
-
 ExactPoint internal::VolumeMaps::image(const TilePoint& x) const {
   std::array<std::size_t, 3> spans{};
   std::array<Rational, 3> at;
   for (std::size_t a = 0; a < 3; ++a) {
-    const SpanPart p = part(a, x[a], x[a]);
+    const SpanPart p = span_part(knots(a), x[a], x[a]);
     spans[a] = p.span;
     at[a] = p.lo;
   }
@@ -61,22 +46,15 @@ std::string internal::InsideParts::name(const CellPatch& at) const {
          std::to_string(at.grid);
 }
 
-std::variant<InsideProof, InsideDefect> prove_inside(const Microstructure& micro,
-                                                     const std::vector<AnalysedTile>& tiles,
-                                                     const std::vector<CellPatch>& first_patches,
-                                                     const InsideModel& model, unsigned jobs,
-                                                     const InsideLimits& limits) {
+namespace {
+
+std::variant<InsideProof, InsideDefect> prove(const Microstructure& micro,
+                                              const std::vector<AnalysedTile>& tiles,
+                                              const std::vector<CellPatch>& first_patches,
+                                              const InsideSolid& solid, unsigned jobs,
+                                              const InsideLimits& limits) {
   const WorkerScope workers(std::max(1u, jobs));
-  Result<MeshClassifier> classifier = MeshClassifier::make(*model.mesh, &model.shells);
-  VT_CHECK(classifier.has_value(), "the mesh of a solid is closed");
-  InsideParts parts{micro,
-                    tiles,
-                    model,
-                    limits,
-                    std::max(1u, jobs),
-                    {},
-                    FacetPlanes(*model.mesh),
-                    std::move(*classifier)};
+  InsideParts parts{micro, tiles, solid, limits, std::max(1u, jobs), {}};
   for (const VVolume& volume : micro.cage) parts.volumes.emplace_back(volume);
   InsideProof proof;
   if (auto defect = surface_defect(parts)) return std::move(*defect);
@@ -84,6 +62,23 @@ std::variant<InsideProof, InsideDefect> prove_inside(const Microstructure& micro
   if (auto defect = void_defect(parts, &proof.voids)) return std::move(*defect);
   if (auto defect = skin_defect(parts, &proof.skin)) return std::move(*defect);
   return proof;
+}
+
+}  // namespace
+
+std::variant<InsideProof, InsideDefect> prove_inside(const Microstructure& micro,
+                                                     const std::vector<AnalysedTile>& tiles,
+                                                     const std::vector<CellPatch>& first_patches,
+                                                     const InsideModel& model, unsigned jobs,
+                                                     const InsideLimits& limits) {
+  return prove(micro, tiles, first_patches, *inside_solid(model), jobs, limits);
+}
+std::variant<InsideProof, InsideDefect> prove_inside(const Microstructure& micro,
+                                                     const std::vector<AnalysedTile>& tiles,
+                                                     const std::vector<CellPatch>& first_patches,
+                                                     const PatchComplex& model, unsigned jobs,
+                                                     const InsideLimits& limits) {
+  return prove(micro, tiles, first_patches, *inside_solid(model), jobs, limits);
 }
 
 }  // namespace veritope

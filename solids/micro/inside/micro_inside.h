@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/inside/micro_inside.h: proves that a microstructure lies in the interior of a solid that a mesh bounds.
-// The conditions I1 to I4 of docs/certificates/micro-inside.md. Theory: docs/THEORY.md, MICRO-2. Design:
-// docs/design/0080-microstructures-inside-solids.md.
+// solids/micro/inside/micro_inside.h: proves that a microstructure lies in the interior of a solid that a mesh, or a
+// complex of patches, bounds. The conditions I1 to I4 of docs/certificates/micro-inside.md. Theory: docs/THEORY.md,
+// MICRO-2. Design: docs/design/0080-microstructures-inside-solids.md and 0089-microstructures-in-solids-of-patches.md.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -11,6 +11,7 @@
 
 #include "solids/classify/mesh_classifier.h"
 #include "solids/micro/micro_topology.h"
+#include "solids/patches/patch_complex.h"
 #include "solids/polyhedron/triangle_mesh.h"
 
 namespace veritope {
@@ -34,7 +35,7 @@ struct InsideDefect {
   const char* condition = "";           ///< "I1" to "I4"
   std::optional<CellPatch> patch;       ///< of a tile
   std::optional<std::uint32_t> bridge;  ///< its number
-  std::optional<std::uint32_t> facet;   ///< of the mesh
+  std::optional<std::uint32_t> source;  ///< the triangle or the patch of the solid
   std::string message;
 };
 
@@ -48,7 +49,8 @@ struct InsideModel {
 struct InsideLimits {
   std::uint64_t nodes = std::uint64_t{1} << 21;  ///< of descents of I1
   std::uint64_t nodes_of_part = 32;  ///< more nodes for each patch in a cell and each bridge
-  std::uint64_t pairs = std::uint64_t{1} << 29;  ///< of nodes and triangles whose boxes meet
+  std::uint64_t pairs = std::uint64_t{1}
+                        << 29;  ///< of nodes and triangles, or nodes of patches, whose boxes meet
 };
 
 /// The proof, or what is missing for it; both are the same for every number of jobs.
@@ -59,6 +61,13 @@ std::variant<InsideProof, InsideDefect> prove_inside(const Microstructure& micro
                                                      const std::vector<AnalysedTile>& tiles,
                                                      const std::vector<CellPatch>& first_patches,
                                                      const InsideModel& model, unsigned jobs,
+                                                     const InsideLimits& limits = {});
+/// For a complex that bounds a solid.
+/// @cost  near-linear in the patches; in the cells near them, some ten microseconds a patch
+std::variant<InsideProof, InsideDefect> prove_inside(const Microstructure& micro,
+                                                     const std::vector<AnalysedTile>& tiles,
+                                                     const std::vector<CellPatch>& first_patches,
+                                                     const PatchComplex& model, unsigned jobs,
                                                      const InsideLimits& limits = {});
 
 }  // namespace veritope

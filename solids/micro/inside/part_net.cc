@@ -57,24 +57,6 @@ bool is_whole(const Interval& a, const Interval& b) { return a.hi() <= 0 && b.lo
 
 }  // namespace
 
-void NodePoints::assign(const std::vector<Box3>& points) {
-  box = empty_box();
-  radius = {};
-  for (std::size_t c = 0; c < 3; ++c) {
-    middles[c].resize(points.size());
-    double most = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Interval& x = points[i][c];
-      const double m = 0.5 * x.lo() + 0.5 * x.hi();
-      middles[c][i] = m;
-      most = std::max(most, mag(x - Interval(m)));
-      box.lo[c] = std::min(box.lo[c], x.lo());
-      box.hi[c] = std::max(box.hi[c], x.hi());
-    }
-    radius[c] = most;
-  }
-}
-
 PartNet::PartNet(const BezierVolume<Rational>& map)
     : net_(map.degrees(), map.num_components(), map.is_rational()) {
   VT_CHECK(map.dimension() == 3, "the map of a volume has three coordinates");

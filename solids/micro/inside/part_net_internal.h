@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/inside/part_net_internal.h: the map of a box of parameters in interval Bezier form, and the points of a
-// node of docs/certificates/micro-inside.md, section 3. Internal to solids/micro/inside.
+// solids/micro/inside/part_net_internal.h: the map of a box of parameters in interval Bezier form. Internal to
+// solids/micro/inside.
 #pragma once
-#include <array>
-#include <cstddef>
 #include <vector>
 
 #include "interval/box.h"
 #include "interval/ring_numbers.h"
-#include "robust/base/box3d.h"
 #include "splines/bezier.h"
 
 namespace veritope::internal {
-
-/// Enclosures of points, as middles and one radius for each coordinate: |q[c] - middle[c]| <= radius[c].
-struct NodePoints {
-  std::array<std::vector<double>, 3> middles;
-  Point3d radius{};
-  Box3d box = empty_box();  ///< around all of them
-
-  std::size_t size() const { return middles[0].size(); }
-  /// REQUIRES a live ScopedUpward.
-  void assign(const std::vector<Box3>& points);
-};
 
 /// All functions REQUIRE a live ScopedUpward.
 class PartNet {

@@ -17,12 +17,13 @@ class ShellSides {
  public:
   explicit ShellSides(const InsideParts& parts) : parts_(parts) {}
 
-  // The winding number around S(0, 0).
+  // The winding number around S(0, 0); 0 if it is not known.
   std::int64_t winding(const CellPatch& at) const {
     const TilePoint x = point(at);
-    const Value3 value = parts_.classifier.value(image_box(at, x));
+    const Value3 value = parts_.solid.value(image_box(at, x));
     if (is_constant(value)) return value == Value3::kOne ? 1 : 0;
-    return parts_.classifier.classify(parts_.volumes[grid(at).volume].image(x)).winding;
+    const PointAnswer answer = parts_.solid.classify(parts_.volumes[grid(at).volume].image(x));
+    return answer.is_decided ? answer.winding : 0;
   }
 
  private:
@@ -43,7 +44,7 @@ class ShellSides {
     const ScopedUpward upward;
     Box3 in_span;
     for (std::size_t a = 0; a < 3; ++a) {
-      const SpanPart part = maps.part(a, x[a], x[a]);
+      const SpanPart part = span_part(maps.knots(a), x[a], x[a]);
       spans[a] = part.span;
       in_span[a] = part.lo_bound;
     }

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// I4: how far the end faces of bridges are from the surface of the solid, at most.
+// I4: how far the end faces of bridges and sweeps are from the surface of the solid, at most.
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <limits>
+#include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "interval/box_geometry.h"
 #include "interval/upward.h"
 #include "robust/base/check.h"
-#include "solids/classify/triangle_bound.h"
 #include "solids/micro/inside/descent_internal.h"
 #include "solids/micro/inside/inside_parts_internal.h"
+#include "solids/micro/sweep_nodes.h"
+#include "solids/micro/sweep_start.h"
 
 namespace veritope::internal {
 
@@ -20,48 +23,51 @@ namespace {
 constexpr std::size_t kMostNodes = 2048;  // of a bridge; the page has 4096
 // The page has 2^22 nodes, and 256 more for each bridge.
 constexpr std::size_t kAllSkinNodes = std::size_t{1} << 21, kMoreNodes = 128;
-constexpr int kMostLevel = 22;         // the page has 24
-constexpr double kWorth = 1 + 0x1p-7;  // a bound that is nearer to the least one is not improved
+constexpr int kMostSkinLevel = 22;  // the page has 24
+constexpr int kSampleLevel = 8;     // of a part of a sweep's end that stands for a point
+constexpr double kFirstSkinFactor = 1 + 0x1p-7, kMostSkinFactor = 4;
 
-// A part of the end face of a bridge, with an upper bound of its points' distances from the surface.
-struct SkinNode {
-  double bound = 0;
-  std::uint32_t bridge = 0;
+// A part of the end face of a bridge, or of a sweep.
+struct EndPart {
   PatchNode part;
-};
-struct IsNearer {
-  bool operator()(const SkinNode& a, const SkinNode& b) const {
-    return a.bound != b.bound ? a.bound < b.bound : a.bridge > b.bridge;
-  }
+  std::uint32_t sweep_part = 0;
+  int level = 0;
 };
 
+// Proves bounds for one bridge after the other, each at least as great as the last.
 class SkinSearch {
  public:
   explicit SkinSearch(const InsideParts& parts)
-      : parts_(parts), num_nodes_(parts.micro.bridges.size()) {}
+      : parts_(parts), view_(parts.solid.surface().view()) {
+    most_all_ = kAllSkinNodes + kMoreNodes * parts.micro.num_bridges();
+    const SweepStarts starts(parts.micro, parts.tiles);
+    for (const MicroSweep& s : parts.micro.sweeps)
+      sweeps_.emplace_back(starts.wall(s.cap), starts.cap(s.cap).value(), s.axis);
+  }
 
-  // The number of the bridge whose bound is infinite, if there is one.
+  // The number of a bridge for which no bound is proved, if there is one.
   std::optional<std::uint32_t> run() {
-    for (std::uint32_t b = 0; b < parts_.micro.bridges.size(); ++b) {
-      push(b, end_face(parts_.micro.bridges[b]));
-      if (!std::isfinite(nodes_.top().bound)) return b;
-    }
-    while (nodes_.top().bound > kWorth * least_) {
-      const SkinNode top = nodes_.top();
-      if (top.part.level >= kMostLevel || num_nodes_[top.bridge] + 2 > kMostNodes ||
-          num_all_ > kAllSkinNodes + kMoreNodes * num_nodes_.size())
-        break;
-      nodes_.pop();
-      auto halves = top.part.halves();
-      push(top.bridge, std::move(halves.first));
-      push(top.bridge, std::move(halves.second));
+    const auto count = static_cast<std::uint32_t>(parts_.micro.num_bridges());
+    for (std::uint32_t b = 0; b < count; ++b)
+      sweeps_.empty() ? raise_to_samples(b) : raise_to_corner(sweeps_[b]);
+    bound_ *= kFirstSkinFactor;
+    for (std::uint32_t b = 0; b < count; ++b) {
+      double factor = kFirstSkinFactor;
+      std::size_t spent = 0;
+      while (!is_within(b, &spent)) {
+        if (!std::isfinite(bound_)) return b;
+        factor = std::min(factor * factor, kMostSkinFactor);
+        bound_ = std::max(bound_ * factor, std::numeric_limits<double>::min());
+      }
+      num_all_ += spent;
     }
     return std::nullopt;
   }
-  double bound() const { return nodes_.top().bound; }
+  double bound() const { return bound_; }
 
  private:
-  static PatchNode end_face(const MicroBridge& bridge) {
+  PatchNode end_face(std::uint32_t number) const {
+    const MicroBridge& bridge = parts_.micro.bridges[number];
     PatchNode out{bridge.degrees, {}, 0};
     for (int i = 0; i <= bridge.degrees[0]; ++i)
       for (int j = 0; j <= bridge.degrees[1]; ++j) {
@@ -70,70 +76,85 @@ class SkinSearch {
       }
     return out;
   }
-
-  void push(std::uint32_t bridge, PatchNode part) {
-    ++num_nodes_[bridge];
-    const BridgeMaps maps(parts_.volumes[parts_.micro.bridges[bridge].volume]);
-    double bound = 0;
-    std::vector<std::vector<Box3>> all;
-    if (!maps.boxes(part.box(), &all)) bound = HUGE_VAL;
-    for (const auto& points : all) bound = std::max(bound, bound_of(points));
-    num_all_ += all.size();
-    nodes_.push({bound, bridge, std::move(part)});
+  BridgeMaps maps_of(std::uint32_t bridge) const {
+    return BridgeMaps(parts_.volumes[parts_.micro.bridges[bridge].volume]);
   }
 
-  // The least bound that one triangle gives for all of the points.
-  double bound_of(const std::vector<Box3>& points) {
-    Box3d box = empty_box();
-    for (const Box3& p : points) {
-      add({p[0].lo(), p[1].lo(), p[2].lo()}, &box);
-      add({p[0].hi(), p[1].hi(), p[2].hi()}, &box);
+  // The bound is not less than the distance of any point of the end face, such as its corners and its middle.
+  void raise_to_samples(std::uint32_t bridge) {
+    const PatchNode face = end_face(bridge);
+    const std::size_t n = face.points.size(),
+                      columns = static_cast<std::size_t>(face.degrees[1]) + 1;
+    std::vector<Box3> samples = {face.points.front(), face.points[columns - 1],
+                                 face.points[n - columns], face.points.back()};
+    samples.push_back(face.halves().second.halves().second.points.front());
+    for (const Box3& x : samples) {
+      std::vector<std::vector<Box3>> image;
+      if (!maps_of(bridge).boxes(x, &image)) continue;
+      const double distance = view_->reach({image.front().data(), 1}, HUGE_VAL, bound_);
+      if (std::isfinite(distance)) bound_ = std::max(bound_, distance);
     }
-    const auto bound_by = [&](std::uint32_t f, double most) {
-      const auto corners = parts_.facets.corners(f);
-      double bound = 0;
-      for (const Box3& p : points) {
-        bound = std::max(bound, distance_bound(p, corners));
-        if (bound >= most) break;
-      }
-      return bound;
-    };
-    double best = HUGE_VAL;
-    // A growing box around the points: what it misses is no better than what it has, once it has grown by the bound.
-    double reach = std::max(extent(box), std::ldexp(scale(), -40));
-    while (true) {
-      Box3d grown = box;
-      for (std::size_t c = 0; c < 3; ++c) grown.lo[c] -= reach, grown.hi[c] += reach;
-      parts_.facets.visit(grown,
-                          [&](std::uint32_t f) { best = std::min(best, bound_by(f, best)); });
-      if (best <= reach || reach > 4 * scale()) break;
-      reach = std::isfinite(best) ? std::min(best, 4 * reach) : 4 * reach;
-    }
-    // No bound is less than the distance of a point; approximately that of the first one.
-    least_ = std::max(least_, nearest_to(points.front(), best));
-    return best;
   }
-  double nearest_to(const Box3& point, double most) const {
-    Box3d box{{point[0].lo() - most, point[1].lo() - most, point[2].lo() - most},
-              {point[0].hi() + most, point[1].hi() + most, point[2].hi() + most}};
-    double best = most;
-    parts_.facets.visit(box, [&](std::uint32_t f) {
-      best = std::min(best, distance_bound(point, parts_.facets.corners(f)));
-    });
-    return best;
+
+  // The same for a small part of the end of a sweep: a bound that is close to the distance of its points.
+  void raise_to_corner(SweepNodes& sweep) {
+    std::uint32_t part = 0;
+    for (int level = 0; level < kSampleLevel; ++level) part = sweep.halves_of_part(part).first;
+    std::vector<Box3> points;
+    sweep.end_points(part, &points);
+    const double distance = view_->reach(points, HUGE_VAL, bound_);
+    if (std::isfinite(distance)) bound_ = std::max(bound_, distance);
   }
-  double scale() const {
-    const Box3d& b = parts_.classifier.box();
-    double out = extent(b);
-    for (std::size_t c = 0; c < 3; ++c) out = std::max({out, std::abs(b.lo[c]), std::abs(b.hi[c])});
+
+  // The points of a part, a list for each span that it meets; false if a weight may be 0.
+  bool points_of(std::uint32_t bridge, const EndPart& node, std::vector<std::vector<Box3>>* out) {
+    if (sweeps_.empty()) return maps_of(bridge).boxes(node.part.box(), out);
+    sweeps_[bridge].end_points(node.sweep_part, &out->emplace_back());
+    return true;
+  }
+  std::pair<EndPart, EndPart> halves_of(std::uint32_t bridge, const EndPart& node) {
+    std::pair<EndPart, EndPart> out;
+    out.first.level = out.second.level = node.level + 1;
+    if (sweeps_.empty())
+      std::tie(out.first.part, out.second.part) = node.part.halves();
+    else
+      std::tie(out.first.sweep_part, out.second.sweep_part) =
+          sweeps_[bridge].halves_of_part(node.sweep_part);
     return out;
   }
 
+  // Whether the descent of I4 ends for this bridge and the bound. Sets *spent to its nodes, each as often as it has
+  // spans.
+  bool is_within(std::uint32_t bridge, std::size_t* spent) {
+    std::size_t num_nodes = 0;
+    *spent = 0;
+    std::vector<EndPart> stack(1);
+    if (sweeps_.empty()) stack[0].part = end_face(bridge);
+    std::vector<std::vector<Box3>> all;
+    while (!stack.empty()) {
+      const EndPart node = std::move(stack.back());
+      stack.pop_back();
+      all.clear();
+      const bool is_known = points_of(bridge, node, &all);
+      *spent += all.size();
+      if (++num_nodes > kMostNodes || num_all_ + *spent > most_all_) return false;
+      if (is_known && std::ranges::all_of(all, [&](const auto& points) {
+            return view_->reach(points, bound_, bound_) <= bound_;
+          }))
+        continue;
+      if (node.level >= kMostSkinLevel) return false;
+      auto halves = halves_of(bridge, node);
+      stack.push_back(std::move(halves.second));
+      stack.push_back(std::move(halves.first));
+    }
+    return true;
+  }
+
   const InsideParts& parts_;
-  std::vector<std::size_t> num_nodes_;  // of each bridge
-  std::size_t num_all_ = 0;             // each as often as it has spans
-  std::priority_queue<SkinNode, std::vector<SkinNode>, IsNearer> nodes_;
-  double least_ = 0;  // approximately no bound is less
+  std::unique_ptr<SurfaceView> view_;
+  std::vector<SweepNodes> sweeps_;  // then there are no bridges
+  std::size_t num_all_ = 0, most_all_ = 0;
+  double bound_ = 0;
 };
 
 // A number of 20 bits or fewer, greater by a factor of at least 1 + 2^-30.
@@ -150,7 +171,7 @@ Rational short_above(double bound) {
 }  // namespace
 
 std::optional<InsideDefect> skin_defect(const InsideParts& parts, std::optional<Rational>* out) {
-  if (parts.micro.bridges.empty()) return std::nullopt;
+  if (parts.micro.num_bridges() == 0) return std::nullopt;
   const ScopedUpward upward;
   SkinSearch search(parts);
   if (const auto bridge = search.run())

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// I1: the surface of a microstructure misses the triangles of a mesh.
+// I1: the surface of a microstructure misses the surface of the solid.
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "interval/upward.h"
 #include "robust/base/parallel.h"
 #include "solids/micro/inside/descent_internal.h"
+#include "solids/micro/inside/enclosed_patch_internal.h"
+#include "solids/micro/inside/grid_spans_internal.h"
 #include "solids/micro/inside/inside_parts_internal.h"
+#include "solids/micro/sweep_nodes.h"
+#include "solids/micro/sweep_start.h"
 
 namespace veritope::internal {
 
@@ -17,89 +23,63 @@ namespace {
 
 constexpr std::size_t kUnitSide = 16;  // cells along an axis that one thread takes at a time
 constexpr std::size_t kUnitBridges = 16;
+constexpr int kMostLevel = 56;  // the page has 60
 
 using CellNumber = std::array<std::size_t, 3>;
 struct CellBlock {
   CellNumber begin, end;
 };
 
-// Cells or bridges that one thread takes at a time.
+// Cells, or bridges and sweeps, that one thread takes at a time.
 struct DescentUnit {
   std::uint32_t grid = 0;
   CellBlock cells{};
   std::size_t first_bridge = 0, past_bridge = 0;
 };
 
-// A patch of a kind of tile, enclosed: a net for each power of t.
-struct EnclosedPatch {
-  std::array<int, 2> degrees{};
-  std::optional<int> wall;
-  std::vector<std::vector<Box3>> powers;
-};
-std::vector<EnclosedPatch> enclosed_patches(const MicroTile& tile) {
-  std::vector<EnclosedPatch> out;
-  for (const TilePatch& patch : tile.patches) {
-    EnclosedPatch& e = out.emplace_back(EnclosedPatch{patch.degrees, patch.wall, {}});
-    for (const auto& list : patch.points) {
-      auto& to = e.powers.emplace_back();
-      for (const TilePoint& p : list) to.emplace_back(enclose(p[0]), enclose(p[1]), enclose(p[2]));
-    }
-  }
-  return out;
-}
-// Its coefficients for the number of the wall. The number is a double.
-void patch_points(const EnclosedPatch& patch, std::int32_t number, std::vector<Box3>* out) {
-  *out = patch.powers.back();
-  const Interval t(static_cast<double>(number) * 0x1p-20);
-  for (std::size_t k = patch.powers.size() - 1; k-- > 0;)
-    for (std::size_t i = 0; i < out->size(); ++i)
-      for (std::size_t c = 0; c < 3; ++c)
-        (*out)[i][c] = Interval::nonnegative_multiple((*out)[i][c], t) + patch.powers[k][i][c];
-}
+// A part of a sweep, as a node of descend().
+struct SweepPart {
+  SweepNodes* sweep = nullptr;
+  SweepNodes::Node node;
+  int level = 0;
 
-// The lines of a grid along an axis, by cells, in units of the knot spans.
-struct AxisParts {
-  std::vector<SpanPart> cells;
-  std::vector<std::size_t> first_of_span;  // and the number of cells
-};
-AxisParts axis_parts(const VolumeMaps& maps, std::size_t axis,
-                     const std::vector<Rational>& breaks) {
-  AxisParts out;
-  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    out.cells.push_back(maps.part(axis, breaks[i], breaks[i + 1]));
-    if (i == 0 || out.cells[i].span != out.cells[i - 1].span) out.first_of_span.push_back(i);
+  std::pair<SweepPart, SweepPart> halves() const {
+    const auto [a, b] = sweep->halves(node);
+    return {{sweep, a, level + 1}, {sweep, b, level + 1}};
   }
-  out.first_of_span.push_back(out.cells.size());
-  return out;
-}
-
-using FacetList = std::vector<std::uint32_t>;
+};
 
 // Everything that all units share.
 struct DescentWork {
-  explicit DescentWork(const InsideParts& p) : parts(p) {
+  explicit DescentWork(const InsideParts& p) : parts(p), starts(p.micro, p.tiles) {
     const ScopedUpward upward;
     for (const MicroTile& tile : p.micro.tiles) patches.push_back(enclosed_patches(tile));
     for (const MicroGrid& grid : p.micro.grids) {
       auto& to = axes.emplace_back();
       for (std::size_t a = 0; a < 3; ++a)
-        to[a] = axis_parts(p.volumes[grid.volume], a, grid.breaks[a]);
+        to[a] = axis_parts(p.volumes[grid.volume].knots(a), grid.breaks[a]);
     }
   }
   const InsideParts& parts;
   std::vector<std::vector<EnclosedPatch>> patches;
   std::vector<std::array<AxisParts, 3>> axes;
+  SweepStarts starts;
 };
 
 class UnitDescent {
  public:
   UnitDescent(const DescentWork& work, const DescentUnit& unit, const DescentCounts& most)
-      : work_(work), parts_(work.parts), unit_(unit), budget_(most) {}
+      : work_(work),
+        parts_(work.parts),
+        unit_(unit),
+        budget_(most),
+        view_(work.parts.solid.surface().view()) {}
 
   std::optional<InsideDefect> run() {
     const ScopedUpward upward;
     if (unit_.past_bridge > unit_.first_bridge) {
-      for (std::size_t b = unit_.first_bridge; b < unit_.past_bridge && !defect_; ++b) bridge(b);
+      for (std::size_t b = unit_.first_bridge; b < unit_.past_bridge && !defect_; ++b)
+        parts_.micro.sweeps.empty() ? bridge(b) : sweep(b);
     } else {
       block(unit_.cells, nullptr);
     }
@@ -121,22 +101,11 @@ class UnitDescent {
     return false;
   }
 
-  // Facets that are not apart from the block's points; of those in `from`, or of all.
-  FacetList close_facets(const NodePoints& points, const FacetList* from) {
-    FacetList out;
-    const auto look = [&](std::uint32_t f) {
-      if (!meets(parts_.facets.box(f), points.box)) return;
-      budget_.add_pair();
-      if (!parts_.facets.is_apart(f, points)) out.push_back(f);
-    };
-    if (from == nullptr)
-      parts_.facets.visit(points.box, look);
-    else
-      std::for_each(from->begin(), from->end(), look);
-    return out;
+  void keep_close(std::span<const NodePoints> node, PartNumbers* parts) {
+    budget_.add_pairs(view_->keep_close(node, parts));
   }
 
-  void block(const CellBlock& b, const FacetList* from) {
+  void block(const CellBlock& b, const PartNumbers* from) {
     if (defect_ || budget_.is_spent() || !has_tile(b)) return;
     const auto& axes = work_.axes[unit_.grid];
     std::array<std::size_t, 3> spans{};
@@ -149,13 +118,14 @@ class UnitDescent {
       if (b.end[a] - b.begin[a] > b.end[longest] - b.begin[longest]) longest = a;
     }
     const PartNet net = parts_.volumes[grid().volume].net(spans).part(begin, end);
-    std::optional<FacetList> close;
+    std::optional<PartNumbers> close;
     if (net.points(&scratch_)) {
       points_.assign(scratch_);
-      close = close_facets(points_, from);
+      close = from == nullptr ? view_->near(points_.box) : *from;
+      keep_close({&points_, 1}, &*close);
       if (close->empty()) return;
     }
-    const FacetList* const list = close ? &*close : from;
+    const PartNumbers* const list = close ? &*close : from;
     const std::size_t size = b.end[longest] - b.begin[longest];
     if (size == 1) {
       if (list == nullptr) return fail_on_weights();
@@ -170,7 +140,7 @@ class UnitDescent {
     defect_ = InsideDefect{"I1", {}, {}, {}, "a weight of the cage is not proved to be positive"};
   }
 
-  void cell(const CellNumber& number, const PartNet& net, const FacetList& close) {
+  void cell(const CellNumber& number, const PartNet& net, const PartNumbers& close) {
     const Grid<3> shape = grid().shape();
     CellPatch at{unit_.grid, shape.at(number), 0};
     const auto numbers = grid().numbers_of(number);
@@ -181,73 +151,72 @@ class UnitDescent {
       const std::int32_t t =
           patch.wall ? numbers[static_cast<std::size_t>(*patch.wall)] : std::int32_t{0};
       patch_points(patch, t, &root.points);
-      const auto close_to = [&](const PatchNode& node, const FacetList& from) {
+      const auto close_to = [&](const PatchNode& node, PartNumbers* near) {
         const Box3 x = node.box();
         const PartNet part = net.part(lower_ends(x), upper_ends(x));
-        if (!part.points(&scratch_)) return from;
+        if (!part.points(&scratch_)) return;
         points_.assign(scratch_);
-        return close_facets(points_, &from);
+        keep_close({&points_, 1}, near);
       };
-      const auto left = descend(std::move(root), close, budget_, close_to);
-      if (!left) continue;
-      defect_ = InsideDefect{
-          "I1",
-          at,
-          {},
-          *left,
-          parts_.name(at) + " is not proved to miss triangle " + std::to_string(*left)};
+      if (const auto left = descend(std::move(root), close, kMostLevel, budget_, close_to))
+        fail(parts_.name(at), *left, at, std::nullopt);
     }
   }
 
   void bridge(std::size_t number) {
     const MicroBridge& b = parts_.micro.bridges[number];
     const BridgeMaps maps(parts_.volumes[b.volume]);
-    const auto close_to = [&](const BridgeNode& node, const FacetList& from) {
+    const auto close_to = [&](const BridgeNode& node, PartNumbers* near) {
       std::vector<NodePoints> all;
-      if (!maps.points(node.box(), &all)) return from;
-      for (std::size_t i = 1; i < all.size(); ++i) budget_.add_node();
-      FacetList out;
-      for (const std::uint32_t f : from) {
-        bool is_met = false, is_apart = true;
-        for (const NodePoints& points : all) {
-          if (!meets(parts_.facets.box(f), points.box)) continue;
-          is_met = true;
-          is_apart = is_apart && parts_.facets.is_apart(f, points);
-        }
-        if (is_met) budget_.add_pair();
-        if (!is_apart) out.push_back(f);
-      }
-      return out;
+      if (!maps.points(node.box(), &all)) return;
+      if (all.size() > 1) budget_.add_nodes(all.size() - 1);
+      keep_close(all, near);
     };
     BridgeNode root = enclosed_bridge(b);
-    const FacetList all = facets_near(maps, root);
-    const auto left = descend(std::move(root), all, budget_, close_to);
-    if (!left) return;
-    defect_ = InsideDefect{"I1",
-                           {},
-                           static_cast<std::uint32_t>(number),
-                           *left,
-                           "bridge " + std::to_string(number) + " is not proved to miss triangle " +
-                               std::to_string(*left)};
+    PartNumbers all = parts_near(maps, root);
+    if (const auto left = descend(std::move(root), std::move(all), kMostLevel, budget_, close_to))
+      fail("bridge " + std::to_string(number), *left, std::nullopt,
+           static_cast<std::uint32_t>(number));
   }
-  FacetList facets_near(const BridgeMaps& maps, const BridgeNode& node) const {
+  // REQUIRES a cap of one patch.
+  void sweep(std::size_t number) {
+    const MicroSweep& s = parts_.micro.sweeps[number];
+    SweepNodes nodes(work_.starts.wall(s.cap), work_.starts.cap(s.cap).value(), s.axis);
+    PartNumbers all = view_->near(nodes.box({}));
+    std::sort(all.begin(), all.end());
+    const auto close_to = [&](const SweepPart& part, PartNumbers* near) {
+      nodes.points(part.node, &scratch_);
+      points_.assign(scratch_);
+      keep_close({&points_, 1}, near);
+    };
+    if (const auto left =
+            descend(SweepPart{&nodes, {}, 0}, std::move(all), kMostLevel, budget_, close_to))
+      fail("sweep " + std::to_string(number), *left, std::nullopt,
+           static_cast<std::uint32_t>(number));
+  }
+  PartNumbers parts_near(const BridgeMaps& maps, const BridgeNode& node) const {
     std::vector<NodePoints> all;
-    FacetList out;
     Box3d box = empty_box();
-    if (maps.points(node.box(), &all)) {
+    if (maps.points(node.box(), &all))
       for (const NodePoints& points : all) box = hull(box, points.box);
-      parts_.facets.visit(box, [&](std::uint32_t f) { out.push_back(f); });
-      std::sort(out.begin(), out.end());
-      return out;
-    }
-    for (std::uint32_t f = 0; f < parts_.facets.size(); ++f) out.push_back(f);
+    else
+      box = parts_.solid.surface().box();
+    PartNumbers out = view_->near(box);
+    std::sort(out.begin(), out.end());
     return out;
+  }
+  void fail(const std::string& what, std::uint32_t part, std::optional<CellPatch> patch,
+            std::optional<std::uint32_t> bridge) {
+    const std::uint32_t source = view_->source(part);
+    defect_ = InsideDefect{"I1", patch, bridge, source,
+                           what + " is not proved to miss " + parts_.solid.name(source)};
   }
 
   const DescentWork& work_;
   const InsideParts& parts_;
   const DescentUnit& unit_;
   DescentBudget budget_;
+  std::unique_ptr<SurfaceView> view_;
   std::optional<InsideDefect> defect_;
   std::vector<Box3> scratch_;
   NodePoints points_;
@@ -270,14 +239,14 @@ std::vector<DescentUnit> descent_units(const DescentWork& work) {
         for (const auto& z : ranges[2])
           out.push_back({g, {{x.first, y.first, z.first}, {x.second, y.second, z.second}}, 0, 0});
   }
-  const std::size_t n = work.parts.micro.bridges.size();
+  const std::size_t n = work.parts.micro.num_bridges();
   for (std::size_t b = 0; b < n; b += kUnitBridges)
     out.push_back({0, {}, b, std::min(n, b + kUnitBridges)});
   return out;
 }
 
 DescentCounts most_work(const InsideParts& parts) {
-  std::uint64_t num_parts = parts.micro.bridges.size();
+  std::uint64_t num_parts = parts.micro.num_bridges();
   for (const MicroGrid& grid : parts.micro.grids)
     for (const std::uint8_t t : grid.tiles)
       if (t != 0) num_parts += parts.micro.tiles[t - 1u].patches.size();
@@ -315,7 +284,8 @@ std::optional<InsideDefect> surface_defect(const InsideParts& parts) {
                           {},
                           "that the surfaces do not meet takes more than " +
                               std::to_string(most.nodes) + " parts of patches, or " +
-                              std::to_string(most.pairs) + " comparisons with triangles"};
+                              std::to_string(most.pairs) + " comparisons with " +
+                              parts.solid.sources()};
   }
   return std::nullopt;
 }

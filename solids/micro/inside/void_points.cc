@@ -6,15 +6,18 @@
 #include <string>
 #include <utility>
 
+#include "interval/upward.h"
 #include "solids/micro/inside/cage_inverse_internal.h"
 #include "solids/micro/inside/inside_parts_internal.h"
+#include "solids/micro/sweep_nodes.h"
+#include "solids/micro/sweep_start.h"
 #include "splines/bezier_domain.h"
 
 namespace veritope::internal {
 
 namespace {
 
-constexpr std::size_t kMaxSources = 64;  // facets of a void near which points are tried
+constexpr std::size_t kMaxSources = 64;  // spots of a void near which points are tried
 // The page lets a checker visit 2^22 nodes, and 64 more for each entry.
 constexpr std::size_t kAllNodes = std::size_t{1} << 21, kNodesOfVoid = 32;
 constexpr std::size_t kMaxNodes = 32768;  // of the descents of F2; the page has 65,536
@@ -35,15 +38,16 @@ bool are_words(const TilePoint& x) {
 class VoidSearch {
  public:
   explicit VoidSearch(const InsideParts& parts) : parts_(parts), inverse_(parts) {
-    facets_of_.resize(parts.model.shells.depth.size());
-    for (std::uint32_t f = 0; f < parts.facets.size(); ++f)
-      facets_of_[parts.model.shells.shell_of_face[f]].push_back(f);
+    const SweepStarts starts(parts.micro, parts.tiles);
+    const ScopedUpward upward;
+    for (const MicroSweep& s : parts.micro.sweeps)
+      sweeps_.push_back(SweepNodes(starts.wall(s.cap), starts.cap(s.cap).value(), s.axis).box({}));
   }
 
   std::optional<VoidPoint> find(std::uint32_t shell) {
     shell_ = shell;
-    for (const Vec3d& q : sources())
-      for (const CageParameters& at : inverse_.all(to_point(q))) {
+    for (const Point3d& q : sources())
+      for (const CageParameters& at : inverse_.all(q)) {
         if (auto found = at_or_near(at)) return found;
       }
     return std::nullopt;
@@ -51,17 +55,18 @@ class VoidSearch {
 
  private:
   bool is_in_void(const PointAnswer& answer) const {
-    return !answer.is_on() && answer.shell == shell_;
+    return answer.is_decided && !answer.is_on() && answer.shell == shell_;
   }
 
-  // Points of the hole, those far from its surface first; then those near facets.
-  std::vector<Vec3d> sources() const {
-    const auto& facets = facets_of_[shell_];
-    Box3d box = empty_box();
-    for (const std::uint32_t f : facets) box = hull(box, parts_.facets.box(f));
-    std::vector<Vec3d> out;
-    const auto add = [&](const Vec3d& q) {
-      if (std::isfinite(q.x + q.y + q.z) && is_in_void(parts_.classifier.classify(q)))
+  // Points of the hole, those far from its surface first; then those near its surface.
+  std::vector<Point3d> sources() const {
+    const Box3d box = parts_.solid.box_of_shell(shell_);
+    std::vector<Point3d> out;
+    const auto add = [&](const Point3d& q) {
+      if (std::isfinite(q[0] + q[1] + q[2]) &&
+          is_in_void(parts_.solid.classify(ExactPoint{Rational::from_double(q[0]),
+                                                      Rational::from_double(q[1]),
+                                                      Rational::from_double(q[2])})))
         out.push_back(q);
     };
     for (const int side : {1, 3, 5})
@@ -74,22 +79,14 @@ class VoidSearch {
             };
             add({along(0, i), along(1, j), along(2, k)});
           }
-    const std::size_t step = facets.size() / kMaxSources + 1;
-    for (std::size_t i = 0; i < facets.size(); i += step)
-      for (const double distance : {0.5, 0.1, 1e-2, 1e-4, 1e-7}) add(behind(facets[i], distance));
+    for (const SurfaceSpot& spot : parts_.solid.spots(shell_, kMaxSources))
+      for (const double distance : {0.5, 0.1, 1e-2, 1e-4, 1e-7}) {
+        Point3d q = spot.at;
+        for (std::size_t c = 0; c < 3; ++c) q[c] += distance * spot.size * spot.normal[c];
+        add(q);
+      }
     return out;
   }
-  // A point at a distance from the middle of a facet, on the side to which its normal points, in units of its size.
-  Vec3d behind(std::uint32_t facet, double distance) const {
-    const auto p = parts_.facets.corners(facet);
-    const Vec3d u{p[1].x - p[0].x, p[1].y - p[0].y, p[1].z - p[0].z},
-        v{p[2].x - p[0].x, p[2].y - p[0].y, p[2].z - p[0].z};
-    const Vec3d n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-    const double s = distance / std::sqrt(std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z));
-    return {(p[0].x + p[1].x + p[2].x) / 3 + s * n.x, (p[0].y + p[1].y + p[2].y) / 3 + s * n.y,
-            (p[0].z + p[1].z + p[2].z) / 3 + s * n.z};
-  }
-
   // The point itself, or one that differs by little and has shorter numbers.
   std::optional<VoidPoint> at_or_near(const CageParameters& at) {
     for (const int bits : {8, 16, 30, 44}) {
@@ -113,8 +110,8 @@ class VoidSearch {
     if (is_near_bridge(volume, x)) return std::nullopt;
     const auto place = place_of(volume, x);
     if (!place) return std::nullopt;
-    if (!is_in_void(parts_.classifier.classify(parts_.volumes[volume].image(x))))
-      return std::nullopt;
+    const ExactPoint image = parts_.volumes[volume].image(x);
+    if (is_near_sweep(image) || !is_in_void(parts_.solid.classify(image))) return std::nullopt;
     VoidPoint out{volume, x, 8};
     if (place->cell == kEmpty) return out;
     const auto corner = free_corner(*place, x);
@@ -123,6 +120,15 @@ class VoidSearch {
     return out;
   }
 
+  bool is_near_sweep(const ExactPoint& image) const {
+    return std::any_of(sweeps_.begin(), sweeps_.end(), [&](const Box3d& box) {
+      for (std::size_t c = 0; c < 3; ++c)
+        if (image[c] < Rational::from_double(box.lo[c]) ||
+            Rational::from_double(box.hi[c]) < image[c])
+          return false;
+      return true;
+    });
+  }
   bool is_near_bridge(std::uint32_t volume, const TilePoint& x) const {
     for (const MicroBridge& b : parts_.micro.bridges) {
       if (b.volume != volume) continue;
@@ -263,7 +269,7 @@ class VoidSearch {
 
   const InsideParts& parts_;
   CageInverse inverse_;
-  std::vector<std::vector<std::uint32_t>> facets_of_;  // by shells
+  std::vector<Box3d> sweeps_;  // around them
   std::uint32_t shell_ = 0;
   std::size_t left_ = kAllNodes;
 };
@@ -271,7 +277,7 @@ class VoidSearch {
 }  // namespace
 
 std::optional<InsideDefect> void_defect(const InsideParts& parts, std::vector<VoidPoint>* out) {
-  const auto& depth = parts.model.shells.depth;
+  const auto& depth = parts.solid.depths();
   std::optional<VoidSearch> search;
   for (std::uint32_t s = 0; s < depth.size(); ++s) {
     if (depth[s] % 2 == 0) continue;
@@ -280,14 +286,13 @@ std::optional<InsideDefect> void_defect(const InsideParts& parts, std::vector<Vo
       out->push_back(std::move(*found));
       continue;
     }
-    const auto& shells = parts.model.shells.shell_of_face;
-    const auto first = std::find(shells.begin(), shells.end(), s) - shells.begin();
+    const std::uint32_t first = parts.solid.first_source(s);
     return InsideDefect{"I3",
                         {},
                         {},
-                        static_cast<std::uint32_t>(first),
-                        "no point was found in the void of the solid behind triangle " +
-                            std::to_string(first) +
+                        first,
+                        "no point was found in the void of the solid behind " +
+                            parts.solid.name(first) +
                             " that is proved not to be in the microstructure"};
   }
   return std::nullopt;

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
+#include <utility>
 
 #include "interval/numeric.h"
 #include "solids/micro/measure/tile_moments_internal.h"
@@ -18,7 +21,7 @@ Rational binomial_of(std::size_t n, std::size_t k) {
 
 // From Bernstein coefficients of a degree on [0, 1] to those of P_0(2x - 1), P_1(2x - 1), ...: (2k + 1) times the
 // integral of B_i P_k, where P_k has the Bernstein coefficients (-1)^(k - j) C(k, j).
-std::vector<Interval> bernstein_to_legendre(std::size_t degree, std::size_t order) {
+std::vector<Interval> new_conversion(std::size_t degree, std::size_t order) {
   std::vector<Interval> out;
   for (std::size_t k = 0; k <= order; ++k)
     for (std::size_t i = 0; i <= degree; ++i) {
@@ -35,6 +38,16 @@ std::vector<Interval> bernstein_to_legendre(std::size_t degree, std::size_t orde
   return out;
 }
 
+// Each matrix is made once.
+const std::vector<Interval>& bernstein_to_legendre(std::size_t degree, std::size_t order) {
+  static std::mutex mutex;
+  static std::map<std::pair<std::size_t, std::size_t>, std::vector<Interval>> known;
+  const std::lock_guard lock(mutex);
+  const auto [at, is_new] = known.try_emplace({degree, order});
+  if (is_new) at->second = new_conversion(degree, order);
+  return at->second;
+}
+
 // Multiplies a polynomial in z by (1 - x) + x z.
 void multiply(std::vector<Interval>& p, const Interval& y, const Interval& x) {
   p.push_back(Interval());
@@ -46,7 +59,7 @@ void multiply(std::vector<Interval>& p, const Interval& y, const Interval& x) {
 std::vector<std::vector<Interval>> legendre_matrices(int degree, std::size_t order,
                                                      const std::vector<Rational>& breaks) {
   const auto n = static_cast<std::size_t>(degree);
-  const std::vector<Interval> conversion = bernstein_to_legendre(n, order);
+  const std::vector<Interval>& conversion = bernstein_to_legendre(n, order);
   std::vector<std::vector<Interval>> out;
   for (std::size_t cell = 0; cell + 1 < breaks.size(); ++cell) {
     const std::array<Interval, 2> x = {enclose(breaks[cell]), enclose(breaks[cell + 1])},

@@ -9,8 +9,10 @@
 #include "interval/numeric.h"
 #include "interval/upward.h"
 #include "robust/base/parallel.h"
+#include "solids/micro/measure/bridge_volume_internal.h"
 #include "solids/micro/measure/cell_expansion_internal.h"
 #include "solids/micro/measure/span_determinant_internal.h"
+#include "solids/micro/measure/sweep_volume_internal.h"
 #include "solids/micro/measure/tile_moments_internal.h"
 
 namespace veritope {
@@ -181,6 +183,37 @@ Interval clamped(const Interval& x, double lo, double hi) {
   return Interval::from_bounds(std::clamp(x.lo(), lo, hi), std::clamp(x.hi(), lo, hi));
 }
 
+// Bridges that cross knots may add this part of the volume of the tiles to the width of the bounds.
+constexpr double kSmallWidth = 0x1p-31;
+
+Interval bridges_beside(const Microstructure& micro, const VModel& cage, const Interval& tiles,
+                        unsigned jobs) {
+  std::vector<int> hands;
+  for (std::uint32_t v = 0; v < micro.cage.size(); ++v)
+    hands.push_back(cage.hand(v) == Sign::kNegative ? -1 : 1);
+  return micro.sweeps.empty()
+             ? internal::volume_of_bridges(micro, hands, kSmallWidth * mag(tiles), jobs)
+             : internal::volume_of_sweeps(micro, hands, jobs);
+}
+
+// Whether the grids of all volumes with bridges fill their parameters; they do not overlap.
+bool cells_hold_bridges(const Microstructure& micro) {
+  std::vector<Rational> filled(micro.cage.size());
+  for (const MicroGrid& grid : micro.grids) {
+    Rational size(1);
+    for (const auto& breaks : grid.breaks) size *= breaks.back() - breaks.front();
+    filled[grid.volume] += size;
+  }
+  return std::all_of(micro.bridges.begin(), micro.bridges.end(), [&](const MicroBridge& b) {
+    Rational size(1);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const KnotAxis<Rational>& axis = micro.cage[b.volume].axis(a);
+      size *= axis.domain_end() - axis.domain_begin();
+    }
+    return filled[b.volume] == size;
+  });
+}
+
 }  // namespace
 
 Result<MicroVolume> volume_of(const Microstructure& micro, const VModel& cage, unsigned jobs) {
@@ -203,14 +236,18 @@ Result<MicroVolume> volume_of(const Microstructure& micro, const VModel& cage, u
     out.tiles += is_left ? -volumes[n].tiles : volumes[n].tiles;
     out.cells += is_left ? -volumes[n].cells : volumes[n].cells;
   }
+  if (micro.num_bridges() != 0) out.bridges = bridges_beside(micro, cage, out.tiles, jobs);
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  if (!(mag(out.tiles) < kInfinite && mag(out.cells) < kInfinite))
+  if (!(mag(out.tiles) < kInfinite && mag(out.cells) < kInfinite && mag(out.bridges) < kInfinite))
     return Error{Code::kNotFinite, {}, "the volume of the microstructure is not bounded"};
-  // Neither is negative, and the tiles lie in the cells.
+  // No volume is negative, and the tiles lie in the cells.
   out.tiles = clamped(out.tiles, 0, kInfinite);
+  out.bridges = clamped(out.bridges, 0, kInfinite);
   out.cells = clamped(out.cells, out.tiles.lo(), kInfinite);
-  out.density =
-      out.cells.lo() > 0 ? clamped(out.tiles / out.cells, 0, 1) : Interval::from_bounds(0, 1);
+  out.solid = out.tiles + out.bridges;
+  out.density = out.cells.lo() > 0 ? clamped(out.tiles / out.cells, 0, 1) + out.bridges / out.cells
+                                   : Interval::from_bounds(0, kInfinite);
+  if (cells_hold_bridges(micro)) out.density = clamped(out.density, 0, 1);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "robust/base/check.h"
+#include "solids/micro/bridge_faces.h"
 #include "solids/micro/mesh/bridge_mesh_internal.h"
 #include "splines/de_casteljau.h"
 #include "splines/knot_insertion.h"
@@ -15,18 +16,12 @@ constexpr int kBoundDepth = 2;
 constexpr std::array<std::array<std::size_t, 2>, 6> kBoundPairs = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
-BezierVolume<Rational> volume_of_bridge(const MicroBridge& bridge) {
-  BezierVolume<Rational> out({bridge.degrees[0], bridge.degrees[1], kBridgeAxisDegree}, 3, false);
-  for (std::size_t i = 0; i < bridge.points.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c) out.component(static_cast<int>(c))[i] = bridge.points[i][c];
-  return out;
-}
 Interval up_to(double x) { return Interval::from_bounds(0, x); }
 
 }  // namespace
 
 BridgeMesh::BridgeMesh(const VVolume& volume, const MicroBridge& bridge)
-    : net_(volume_of_bridge(bridge)) {
+    : net_(bridge_map(bridge)) {
   MicroGrid grid;  // the box of the bridge, cut at knots
   for (std::size_t a = 0; a < 3; ++a) {
     const auto x = net_.component(static_cast<int>(a));
@@ -40,6 +35,18 @@ BridgeMesh::BridgeMesh(const VVolume& volume, const MicroBridge& bridge)
     }
     grid.breaks[a].push_back(*hi);
   }
+  add_parts(volume, grid);
+}
+
+BridgeMesh::BridgeMesh(const VVolume& volume, const MicroGrid& cell,
+                       const BezierSurface<Rational>& cap, const MicroSweep& sweep)
+    : net_({cap.degree(0), cap.degree(1), 0}, 3, false,
+           {cap.coefficients().begin(), cap.coefficients().end()}),
+      curve_(sweep.axis) {
+  add_parts(volume, cell);
+}
+
+void BridgeMesh::add_parts(const VVolume& volume, const MicroGrid& grid) {
   const CageCells cells(volume, grid);
   const Grid<3> shape = grid.shape();
   CageRow row;
@@ -61,7 +68,12 @@ Box3 BridgeMesh::value(const std::array<Rational, 3>& at) const {
     for (std::size_t a = 0; a < 3; ++a)
       local[a] = intersection(enclose((p[a] - part.box[a].lo) / part.box[a].width()),
                               Interval::from_bounds(0, 1));
-    return part.map.value(local);
+    Box3 out = part.map.value(local);
+    if (!curve_) return out;
+    const Rational &w = at[2], first = Rational(2) * w * (Rational(1) - w), second = w * w;
+    for (std::size_t c = 0; c < 3; ++c)
+      out[c] += enclose(first * (*curve_)[0][c] + second * (*curve_)[1][c]);
+    return out;
   }
   VT_CHECK(false, "the point of a bridge is not in the box of its control points");
 }
@@ -137,6 +149,12 @@ BridgeError BridgeMesh::error() const {
     out.bend[axis] = (Interval(0.125) * sum).hi();
     out.crease[axis] = crease.hi();
   }
+  if (!curve_) return out;
+  // The second derivative of the curve 2 w (1 - w) e + w^2 f is 2 (f - 2 e).
+  Interval sum;
+  for (std::size_t c = 0; c < 3; ++c)
+    sum += sqr(enclose((*curve_)[1][c] - Rational(2) * (*curve_)[0][c]));
+  out.bend[2] = (Interval(0.25) * sqrt(sum)).hi();
   return out;
 }
 

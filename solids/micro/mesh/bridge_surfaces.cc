@@ -82,27 +82,68 @@ BridgeSurfaces::BridgeSurfaces(const Microstructure& micro, const VModel& cage,
                                const std::vector<AnalysedTile>& tiles, unsigned jobs,
                                CapLinks& links)
     : micro_(micro), cage_(cage), tiles_(tiles), jobs_(jobs), links_(links) {
-  for (std::uint32_t b = 0; b < micro.bridges.size(); ++b) {
+  for (std::uint32_t b = 0; b < micro.bridges.size() && !error_; ++b) {
     const CapPlace& place = micro.bridges[b].cap;
-    Placed& out = bridges_.emplace_back();
-    out.number = b;
-    out.cell = links.numbers[place.grid][place.cell];
-    LinkedCell& cell = links.cells[out.cell];
-    const AnalysedTile& tile = tiles[links.kinds[cell.kind].tile];
-    const auto& caps = tile.caps_of_wall[static_cast<std::size_t>(place.wall)];
     const auto front = front_of(micro, cage, place);
     const auto cap = front && front->volume == micro.bridges[b].volume
                          ? cap_on_front(micro, cage, tiles, place, *front)
                          : std::nullopt;
-    const auto symmetry = cap ? start_symmetry(micro.bridges[b], *cap) : std::nullopt;
-    if (!symmetry || (cell.dropped >> caps[0] & 1) != 0) {
-      error_ = bad_argument("bridge " + std::to_string(b) + " does not start at a free cap");
-      return;
-    }
-    out.patch = tile.caps[caps[0]].patches[0];
-    out.symmetry = *symmetry;
-    cell.dropped |= std::uint64_t{1} << caps[0];
+    add(b, place, cap ? start_symmetry(micro.bridges[b], *cap) : std::nullopt, links);
   }
+  for (std::uint32_t s = 0; s < micro.sweeps.size() && !error_; ++s) {
+    const CapPlace& place = micro.sweeps[s].cap;
+    const auto cap = cap_on_front(micro, cage, tiles, place, own_front(place));
+    add(s, place, cap ? std::optional(0u) : std::nullopt, links);
+  }
+}
+
+// `symmetry`: nothing if the wall does not hold one cap of one patch.
+void BridgeSurfaces::add(std::uint32_t number, const CapPlace& place,
+                         std::optional<unsigned> symmetry, CapLinks& links) {
+  Placed& out = bridges_.emplace_back();
+  out.number = number;
+  out.cell = links.numbers[place.grid][place.cell];
+  LinkedCell& cell = links.cells[out.cell];
+  const AnalysedTile& tile = tiles_[links.kinds[cell.kind].tile];
+  const auto& caps = tile.caps_of_wall[static_cast<std::size_t>(place.wall)];
+  if (!symmetry || (cell.dropped >> caps[0] & 1) != 0) {
+    error_ = bad_argument((micro_.sweeps.empty() ? "bridge " : "sweep ") + std::to_string(number) +
+                          " does not start at a free cap");
+    return;
+  }
+  out.patch = tile.caps[caps[0]].patches[0];
+  out.symmetry = *symmetry;
+  cell.dropped |= std::uint64_t{1} << caps[0];
+}
+
+// The wall in the cell's own volume.
+BridgeFront BridgeSurfaces::own_front(const CapPlace& place) const {
+  const MicroGrid& grid = micro_.grids[place.grid];
+  BridgeFront out;
+  out.volume = grid.volume;
+  out.axis = static_cast<std::size_t>(place.wall / 2);
+  out.is_upward = place.wall % 2 == 1;
+  const std::size_t index = grid.shape().index_of(place.cell)[out.axis];
+  out.at = grid.breaks[out.axis][index + static_cast<std::size_t>(place.wall % 2)];
+  return out;
+}
+
+std::uint32_t BridgeSurfaces::volume_of(const Placed& b) const {
+  return micro_.sweeps.empty() ? micro_.bridges[b.number].volume
+                               : micro_.grids[micro_.sweeps[b.number].cap.grid].volume;
+}
+
+BridgeMesh BridgeSurfaces::in_space(const Placed& b) const {
+  const VVolume& volume = micro_.cage[volume_of(b)];
+  if (micro_.sweeps.empty()) return BridgeMesh(volume, micro_.bridges[b.number]);
+  const MicroSweep& sweep = micro_.sweeps[b.number];
+  const MicroGrid& grid = micro_.grids[sweep.cap.grid];
+  const auto at = grid.shape().index_of(sweep.cap.cell);
+  MicroGrid cell;
+  for (std::size_t a = 0; a < 3; ++a)
+    cell.breaks[a] = {grid.breaks[a][at[a]], grid.breaks[a][at[a] + 1]};
+  const auto cap = cap_on_front(micro_, cage_, tiles_, sweep.cap, own_front(sweep.cap));
+  return BridgeMesh(volume, cell, cap.value(), sweep);
 }
 
 template <typename Visit>
@@ -110,10 +151,8 @@ void BridgeSurfaces::for_each(Visit visit) {
   parallel_for(bridges_.size(), kBridgesInChunk, jobs_,
                [&](std::size_t, std::size_t begin, std::size_t end) {
                  const ScopedUpward upward;
-                 for (std::size_t i = begin; i < end; ++i) {
-                   const MicroBridge& bridge = micro_.bridges[bridges_[i].number];
-                   visit(bridges_[i], BridgeMesh(micro_.cage[bridge.volume], bridge));
-                 }
+                 for (std::size_t i = begin; i < end; ++i)
+                   visit(bridges_[i], in_space(bridges_[i]));
                });
 }
 
@@ -214,7 +253,7 @@ void BridgeSurfaces::make_one(Placed& b, const BridgeMesh& bridge, const TileMes
   for (std::uint32_t i = 1; i < m; ++i)
     for (std::uint32_t j = 1; j < n; ++j) place(i, j, b.parts);
   FacetWriter facets{mesh.positions, b, mesh.faces.data() + b.first_facet,
-                     cage_.hand(micro_.bridges[b.number].volume) == Sign::kNegative};
+                     cage_.hand(volume_of(b)) == Sign::kNegative};
   const auto on_ring = [&](std::uint32_t k, std::uint32_t l) {
     k %= size;
     return l == 0 ? ids[rim_vertex(tile, b.patch, b.symmetry, rim[k][0], rim[k][1])]

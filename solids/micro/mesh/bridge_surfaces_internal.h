@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/mesh/bridge_surfaces_internal.h: the surfaces of bridges, cut into quadrilaterals: four sides, which
-// begin at the rims of caps, and end faces. Internal to solids/micro/mesh.
+// solids/micro/mesh/bridge_surfaces_internal.h: the surfaces of bridges and sweeps, cut into quadrilaterals: four
+// sides, which begin at the rims of caps, and end faces. Internal to solids/micro/mesh.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robust/base/result.h"
+#include "solids/micro/bridge_front.h"
 #include "solids/micro/mesh/bridge_mesh_internal.h"
 #include "solids/micro/mesh/cap_links_internal.h"
 #include "solids/micro/mesh/part_numbers_internal.h"
@@ -46,7 +47,7 @@ class BridgeSurfaces {
   double distance() const { return distance_; }
 
  private:
-  struct Placed {
+  struct Placed {  // a bridge or a sweep
     std::uint32_t number = 0, cell = 0, patch = 0;
     unsigned symmetry = 0;  // takes the patch's parameters to those of the bridge (bridge_front.h)
     BridgeError error;
@@ -58,6 +59,12 @@ class BridgeSurfaces {
     bool is_swapped() const { return (symmetry & 1) != 0; }
   };
   struct FacetWriter;
+
+  void add(std::uint32_t number, const CapPlace& place, std::optional<unsigned> symmetry,
+           CapLinks& links);
+  BridgeFront own_front(const CapPlace& place) const;
+  std::uint32_t volume_of(const Placed& b) const;
+  BridgeMesh in_space(const Placed& b) const;
 
   template <typename Visit>
   void for_each(Visit visit);

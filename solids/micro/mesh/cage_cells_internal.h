@@ -29,11 +29,12 @@ class CellMap {
   /// cell as the origin. Where the bounds are loose, the cell is halved along all axes, at most `depth` times.
   /// Infinite if the coefficients are not finite, or the weights not proved positive.
   MapBounds bounds(int depth) const;
+  /// bounds(0). `is_loose`: a depth of 1 may give better ones.
+  MapBounds whole_bounds(bool& is_loose) const;
 
  private:
   friend class CageCells;
   std::size_t num_points() const { return size_[0] * size_[1] * size_[2]; }
-  MapBounds whole_bounds(bool& is_loose) const;
   // Keeps the lower or upper half along an axis.
   void halve(std::size_t axis, bool keeps_upper);
 

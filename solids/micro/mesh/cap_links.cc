@@ -3,7 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "robust/base/parallel.h"
@@ -11,6 +11,39 @@
 
 namespace veritope::internal {
 namespace {
+
+// Three numbers as the key of a table.
+struct NumberKey {
+  std::uint64_t a = 0, b = 0, c = 0;
+  friend bool operator==(const NumberKey&, const NumberKey&) = default;
+};
+struct NumberKeyHash {
+  std::size_t operator()(const NumberKey& k) const {
+    constexpr std::uint64_t kMix = 0x9e3779b97f4a7c15u;
+    std::uint64_t h = k.a * kMix;
+    h = (h ^ h >> 29 ^ k.b) * kMix;
+    h = (h ^ h >> 29 ^ k.c) * kMix;
+    return h ^ h >> 32;
+  }
+};
+// The last key is asked again and again.
+template <typename Value>
+class NumberTable {
+ public:
+  /// The value of the key, and whether it is new.
+  std::pair<Value&, bool> operator()(const NumberKey& key) {
+    if (last_ != nullptr && key == key_) return {*last_, false};
+    const auto [at, is_new] = values_.try_emplace(key);
+    key_ = key;
+    last_ = &at->second;
+    return {*last_, is_new};
+  }
+
+ private:
+  std::unordered_map<NumberKey, Value, NumberKeyHash> values_;
+  NumberKey key_;
+  Value* last_ = nullptr;
+};
 
 class LinkFinder {
  public:
@@ -54,21 +87,24 @@ class LinkFinder {
       const MicroGrid& grid = micro_.grids[g];
       const Grid<3> shape = grid.shape();
       const std::size_t length = block_length(shape);
-      std::map<std::tuple<std::array<std::size_t, 3>, std::uint32_t>, std::uint32_t> kinds;
+      Grid<3> blocks;
+      for (std::size_t a = 0; a < 3; ++a) blocks.size[a] = num_chunks(shape.size[a], length);
+      NumberTable<std::uint32_t> kinds;
       auto& numbers = out_.numbers.emplace_back(grid.tiles.size(), CapLinks::kNoCell);
       for (std::size_t c = 0; c < grid.tiles.size(); ++c) {
         if (grid.tiles[c] == 0) continue;
-        MeshKind kind{g, grid.tiles[c] - 1u, {}};
+        const std::uint32_t tile = grid.tiles[c] - 1u;
         std::array<std::size_t, 3> at = shape.index_of(c);
-        for (std::size_t a = 0; a < 3; ++a) {
-          at[a] -= at[a] % length;
-          kind.block[a] = {at[a], std::min(at[a] + length, shape.size[a])};
+        for (std::size_t& i : at) i /= length;
+        const auto [kind, is_new] = kinds({blocks.at(at), tile, 0});
+        if (is_new) {
+          kind = static_cast<std::uint32_t>(out_.kinds.size());
+          MeshKind& made = out_.kinds.emplace_back(MeshKind{g, tile, {}});
+          for (std::size_t a = 0; a < 3; ++a)
+            made.block[a] = {at[a] * length, std::min((at[a] + 1) * length, shape.size[a])};
         }
-        const auto [known, is_new] =
-            kinds.try_emplace({at, kind.tile}, static_cast<std::uint32_t>(out_.kinds.size()));
-        if (is_new) out_.kinds.push_back(kind);
         numbers[c] = static_cast<std::uint32_t>(out_.cells.size());
-        out_.cells.emplace_back().kind = known->second;
+        out_.cells.emplace_back().kind = kind;
       }
     }
     out_.strictness.assign(out_.kinds.size(), 0);
@@ -86,14 +122,15 @@ class LinkFinder {
     const std::array<std::uint32_t, 2> tiles = {out_.kinds[kinds[0]].tile,
                                                 out_.kinds[kinds[1]].tile};
     const std::size_t owner = cells[1] < cells[0] ? 1 : 0;
-    if (pair.has_shared_number)
-      if (const CapMatch* const all = matcher_.match_for_all(pair, tiles)) {
-        // The equal sides of rims that are equal for all numbers are the same ones for each number.
-        const auto [at, is_new] =
-            rims_for_all_.try_emplace({kinds[0], kinds[1], pair.walls[0].wall});
-        if (is_new) at->second = rims_of(pair, *all, kinds, owner);
-        return add(cells, owner, at->second);
-      }
+    if (pair.has_shared_number) {
+      const auto wall = static_cast<std::uint64_t>(pair.walls[0].wall);
+      const auto [all, is_new] = shared_for_all_({tiles[0], tiles[1], wall});
+      if (is_new)
+        if (const CapMatch* const match = matcher_.match_for_all(pair, tiles))
+          all = rims_of(pair, *match, kinds, owner);
+      // The equal sides of rims that are equal for all numbers are the same ones for each number.
+      if (all.has_value()) return add(cells, owner, rims_for_all(*all, kinds, owner, wall));
+    }
     const CapMatch match =
         matcher_.match(pair, tiles, {wall_numbers(pair.walls[0]), wall_numbers(pair.walls[1])});
     if (match.clash.has_value()) {
@@ -102,12 +139,34 @@ class LinkFinder {
                             " are neither equal nor apart");
       return;
     }
-    add(cells, owner, rims_of(pair, match, kinds, owner));
+    Rims rims;
+    for (SharedRim& rim : rims_of(pair, match, kinds, owner)) {
+      const auto [at, is_new] =
+          known_.try_emplace(std::move(rim), static_cast<std::uint32_t>(out_.rims.size()));
+      if (is_new) out_.rims.push_back(at->first);
+      rims.push_back(at->second);
+    }
+    add(cells, owner, rims);
+  }
+  // The rims are those of the first pair of cells with these tiles, for other kinds: pairs in a grid come with the
+  // lower cell first, which is the owner.
+  const Rims& rims_for_all(const std::vector<SharedRim>& all,
+                           const std::array<std::uint32_t, 2>& kinds, std::size_t owner,
+                           std::uint64_t wall) {
+    const auto [rims, is_new] = rims_for_all_({kinds[0], kinds[1], wall});
+    if (!is_new) return rims;
+    for (SharedRim rim : all) {
+      rim.owner_kind = kinds[owner];
+      rim.user_kind = kinds[1 - owner];
+      rims.push_back(static_cast<std::uint32_t>(out_.rims.size()));
+      out_.rims.push_back(std::move(rim));
+    }
+    return rims;
   }
 
-  Rims rims_of(const WallPair& pair, const CapMatch& match,
-               const std::array<std::uint32_t, 2>& kinds, std::size_t owner) {
-    Rims out;
+  std::vector<SharedRim> rims_of(const WallPair& pair, const CapMatch& match,
+                                 const std::array<std::uint32_t, 2>& kinds, std::size_t owner) {
+    std::vector<SharedRim> out;
     for (const auto& caps : match.equal) {
       std::array<std::map<std::string, RimSide>, 2> sides;
       for (std::size_t side = 0; side < 2; ++side)
@@ -125,10 +184,7 @@ class LinkFinder {
         error_ = bad_argument("equal caps of " + name_of_wall(micro_, pair.walls[0]) + " and " +
                               name_of_wall(micro_, pair.walls[1]) + " have different rims");
       std::sort(rim.sides.begin(), rim.sides.end());
-      const auto [at, is_new] =
-          known_.try_emplace(std::move(rim), static_cast<std::uint32_t>(out_.rims.size()));
-      if (is_new) out_.rims.push_back(at->first);
-      out.push_back(at->second);
+      out.push_back(std::move(rim));
     }
     return out;
   }
@@ -150,12 +206,27 @@ class LinkFinder {
     }
   }
 
+  // By users, then by their caps: first into a list for each user, each of which is short.
   void sort_links() {
-    auto& links = out_.links;
-    std::sort(links.begin(), links.end(), [&](const RimLink& a, const RimLink& b) {
-      return std::tuple(a.user, out_.rims[a.rim].user_cap) <
-             std::tuple(b.user, out_.rims[b.rim].user_cap);
-    });
+    std::vector<std::uint32_t> end(out_.cells.size() + 1, 0);
+    for (const RimLink& l : out_.links) ++end[l.user];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& n : end) sum += std::exchange(n, sum);
+    std::vector<RimLink> links(out_.links.size());
+    for (const RimLink& l : out_.links) links[end[l.user]++] = l;
+    std::size_t begin = 0;
+    for (std::size_t c = 0; c < out_.cells.size(); ++c) {
+      std::sort(links.begin() + static_cast<std::ptrdiff_t>(begin), links.begin() + end[c],
+                [&](const RimLink& a, const RimLink& b) {
+                  return out_.rims[a.rim].user_cap < out_.rims[b.rim].user_cap;
+                });
+      begin = end[c];
+    }
+    out_.links = std::move(links);
+    find_strictness();
+  }
+  void find_strictness() {
+    const auto& links = out_.links;
     std::uint32_t at = 0;
     for (std::uint32_t c = 0; c < out_.cells.size(); ++c) {
       out_.cells[c].first_link = at;
@@ -174,7 +245,9 @@ class LinkFinder {
   const VModel& cage_;
   const std::vector<AnalysedTile>& tiles_;
   CapMatcher matcher_;
-  std::map<std::tuple<std::uint32_t, std::uint32_t, int>, Rims> rims_for_all_;
+  // By tiles and walls: the rims that are equal for all numbers, of some kinds; nothing if there are none.
+  NumberTable<std::optional<std::vector<SharedRim>>> shared_for_all_;
+  NumberTable<Rims> rims_for_all_;  // by kinds and walls
   std::map<SharedRim, std::uint32_t> known_;
   std::optional<Error> error_;
   CapLinks out_;

@@ -2,6 +2,8 @@
 #include "solids/micro/mesh/micro_mesh.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <limits>
 #include <map>
 #include <memory>
@@ -11,13 +13,14 @@
 
 #include "interval/upward.h"
 #include "robust/base/check.h"
+#include "robust/base/fp_guard.h"
 #include "robust/base/parallel.h"
 #include "solids/micro/mesh/bridge_surfaces_internal.h"
-#include "solids/micro/mesh/cage_cells_internal.h"
 #include "solids/micro/mesh/cap_links_internal.h"
+#include "solids/micro/mesh/cell_plans_internal.h"
+#include "solids/micro/mesh/grid_map_internal.h"
 #include "solids/micro/mesh/part_numbers_internal.h"
 #include "solids/micro/mesh/patch_bend_internal.h"
-#include "solids/micro/mesh/quad_gap_internal.h"
 #include "solids/micro/mesh/tile_mesh_internal.h"
 #include "solids/micro/mesh/vertex_rounding_internal.h"
 
@@ -25,26 +28,45 @@ namespace veritope {
 namespace {
 
 using internal::BridgeSurfaces;
-using internal::CageCells;
-using internal::CageRow;
 using internal::CapLinks;
-using internal::CellMap;
+using internal::CellOnCage;
+using internal::CellPlan;
+using internal::CellPlans;
 using internal::Greatest;
+using internal::GridMap;
 using internal::LinkedCell;
 using internal::MapBounds;
-using internal::middle_of;
 using internal::PartNumbers;
 using internal::PatchBend;
 using internal::PatchError;
 using internal::PatchParts;
+using internal::PointColumns;
 using internal::RimLink;
 using internal::SharedRim;
 using internal::TileMesh;
-using internal::TileQuad;
+using internal::TileTriangle;
 
-constexpr std::size_t kRowsInChunk = 4, kCellsInChunk = 256;
+constexpr std::size_t kRowsInChunk = 4, kCellsInChunk = 256, kKindsInChunk = 16;
 // The rounding of vertices is at most this part of the chord.
 constexpr double kRoundingShare = 0x1p-6;
+
+// Bounds of the maps of the cells of a kind.
+struct KindBounds {
+  std::array<Greatest, 3> first;
+  std::array<Greatest, 6> second;
+  Greatest is_loose;  // 1 if better ones may be had
+
+  void reach(const MapBounds& b) {
+    for (std::size_t a = 0; a < first.size(); ++a) first[a].reach(b.first[a]);
+    for (std::size_t k = 0; k < second.size(); ++k) second[k].reach(b.second[k]);
+  }
+  MapBounds value() const {
+    MapBounds out;
+    for (std::size_t a = 0; a < first.size(); ++a) out.first[a] = first[a].value();
+    for (std::size_t k = 0; k < second.size(); ++k) out.second[k] = second[k].value();
+    return out;
+  }
+};
 
 class MicroMesher {
  public:
@@ -59,12 +81,12 @@ class MicroMesher {
         bridges_(micro, cage, tiles, options.jobs, links_),
         numbers_(links_, tiles) {
     first_row_.push_back(0);
-    const ScopedUpward upward;
     for (const MicroGrid& g : micro.grids) {
       const Grid<3> shape = g.shape();
       first_row_.push_back(first_row_.back() + shape.size[0] * shape.size[1]);
       cages_.emplace_back(micro.cage[g.volume], g);
     }
+    const ScopedUpward upward;
     for (const AnalysedTile& t : tiles)
       for (auto& bends = patch_bends_.emplace_back(); const TilePatch& p : t.tile.patches)
         bends.emplace_back(p);
@@ -75,13 +97,15 @@ class MicroMesher {
       ++with.back();
       for (std::size_t cap = 0; cap + 1 < with.size(); ++cap) with[cap] += ~c.dropped >> cap & 1;
     }
-    bends_ = std::vector<std::array<Greatest, 2>>(numbers_.num_patches());
+    kind_bounds_ = std::vector<KindBounds>(links_.kinds.size());
     gaps_ = std::vector<Greatest>(numbers_.num_patches());
-    errors_.resize(numbers_.num_patches());
   }
 
   Result<MicroMesh> run() {
     if (auto error = bridges_.find_errors()) return std::move(*error);
+    reset_measures();
+    for (const GridMap& g : cages_) rounding_->reach(g.least_rounding());
+    if (auto error = rounding_error()) return std::move(*error);
     find_bends();
     choose_sample();
     for (bool measures_all = false;;) {
@@ -110,12 +134,12 @@ class MicroMesher {
   const AnalysedTile& tile_of(std::uint32_t kind) const { return tiles_[links_.kinds[kind].tile]; }
 
   // Calls visit(number, cell, map, numbers) for each cell with a tile that is to be visited, in the rounding mode of
-  // intervals.
+  // CellOnCage.
   template <typename Choose, typename Visit>
   void for_each_map(Choose is_visited, Visit visit) const {
     parallel_for(first_row_.back(), kRowsInChunk, options_.jobs,
                  [&](std::size_t, std::size_t begin, std::size_t end) {
-                   const ScopedUpward upward;
+                   const ScopedDefaultFp fp;
                    for (std::size_t row = begin; row < end; ++row)
                      visit_row(row, is_visited, visit);
                  });
@@ -128,54 +152,90 @@ class MicroMesher {
     const Grid<3> shape = grid.shape();
     const std::size_t in_grid = row - first_row_[g], j = in_grid % shape.size[1],
                       i = in_grid / shape.size[1], length = shape.size[2];
-    std::optional<CellMap> map;
-    CageRow shared;
+    std::optional<CellOnCage> map;
     for (std::size_t k = 0; k < length; ++k) {
       const std::uint32_t number = links_.numbers[g][in_grid * length + k];
       if (number == CapLinks::kNoCell || !is_visited(number)) continue;
-      if (!map.has_value()) {
-        cages_[g].enter_row(i, j, shared);
-        map.emplace(cages_[g].new_map());
-      }
-      cages_[g].cell(shared, k, *map);
+      if (!map.has_value()) map.emplace(cages_[g]).enter_row(i, j);
+      map->enter_cell(k);
       visit(number, links_.cells[number], *map, grid.numbers_of({i, j, k}));
     }
   }
-  bool is_dropped(const LinkedCell& cell, std::size_t patch) const {
-    const std::uint32_t cap = tile_of(cell.kind).cap_of_patch[patch];
-    return cap != AnalysedTile::kNoCap && (cell.dropped >> cap & 1) != 0;
-  }
 
-  // The greatest bound of the bends of a cell's patches; the bounds go to `bends`, 0 for patches that are dropped.
-  double bends_of(const LinkedCell& cell, const MapBounds& bounds, const WallNumbers& numbers,
-                  std::vector<std::array<double, 2>>& bends) const {
-    const AnalysedTile& tile = tile_of(cell.kind);
-    const auto& patches = patch_bends_[links_.kinds[cell.kind].tile];
-    bends.assign(patches.size(), {});
-    double most = 0;
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-      if (is_dropped(cell, p)) continue;
-      bends[p] = patches[p].of(bounds, number_of(tile.tile.patches[p], numbers));
-      most = std::max({most, bends[p][0], bends[p][1]});
-    }
-    return most;
-  }
+  // Bounds of the derivatives of the maps of all cells, then of the bends of the patches of each kind. Better bounds of
+  // the maps are found only where a patch has three parts or more.
   void find_bends() {
     const std::size_t cells = links_.cells.size();
     const int depth = cells <= 1000 ? 3 : cells <= 10000 ? 2 : 1;
-    for_each_map(
-        [](std::uint32_t) { return true; },
-        [&](std::uint32_t, const LinkedCell& cell, const CellMap& map, const WallNumbers& numbers) {
-          std::vector<std::array<double, 2>> bends;
-          // Better bounds matter only where a patch has three parts or more.
-          if (bends_of(cell, map.bounds(0), numbers, bends) > 4 * options_.chord)
-            bends_of(cell, map.bounds(depth), numbers, bends);
-          for (std::size_t p = 0; p < bends.size(); ++p)
-            for (std::size_t axis = 0; axis < 2; ++axis)
-              bends_[numbers_.number(cell.kind, p)][axis].reach(bends[p][axis]);
-        });
-    for (std::size_t n = 0; n < errors_.size(); ++n)
-      errors_[n].along = {bends_[n][0].value(), bends_[n][1].value()};
+    errors_.resize(numbers_.num_patches());
+    for_each_map([](std::uint32_t) { return true; },
+                 [&](std::uint32_t, const LinkedCell& cell, CellOnCage& map, const WallNumbers&) {
+                   bool is_loose = false;
+                   KindBounds& bounds = kind_bounds_[cell.kind];
+                   bounds.reach(map.bounds(is_loose));
+                   if (is_loose) bounds.is_loose.reach(1);
+                 });
+    std::vector<std::uint8_t> is_refined(links_.kinds.size(), 0);
+    for_each_kind([&](std::uint32_t k) {
+      const bool is_large = find_bends_of(k, kind_bounds_[k]) > 4 * options_.chord;
+      is_refined[k] = is_large && kind_bounds_[k].is_loose.value() > 0 ? 1 : 0;
+    });
+    if (std::find(is_refined.begin(), is_refined.end(), 1) == is_refined.end()) return;
+    std::vector<KindBounds> refined(links_.kinds.size());
+    for_each_map([&](std::uint32_t number) { return is_refined[links_.cells[number].kind] != 0; },
+                 [&](std::uint32_t, const LinkedCell& cell, CellOnCage& map, const WallNumbers&) {
+                   refined[cell.kind].reach(map.refined_bounds(depth));
+                 });
+    for_each_kind([&](std::uint32_t k) {
+      if (is_refined[k] != 0) find_bends_of(k, refined[k]);
+    });
+  }
+  template <typename Visit>
+  void for_each_kind(Visit visit) const {
+    parallel_for(links_.kinds.size(), kKindsInChunk, options_.jobs,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   const ScopedUpward upward;
+                   for (std::size_t k = begin; k < end; ++k) visit(static_cast<std::uint32_t>(k));
+                 });
+  }
+  // By walls: the least and the greatest number in the cells of a kind.
+  std::array<std::array<std::int32_t, 2>, 6> numbers_of_kind(std::uint32_t kind) const {
+    const internal::MeshKind& k = links_.kinds[kind];
+    const MicroGrid& grid = micro_.grids[k.grid];
+    const Grid<3> shape = grid.shape();
+    std::array<std::array<std::int32_t, 2>, 6> out;
+    out.fill({kMaxWallNumber, 0});
+    std::array<std::size_t, 3> at;
+    for (at[0] = k.block[0][0]; at[0] < k.block[0][1]; ++at[0])
+      for (at[1] = k.block[1][0]; at[1] < k.block[1][1]; ++at[1])
+        for (at[2] = k.block[2][0]; at[2] < k.block[2][1]; ++at[2]) {
+          if (grid.tiles[shape.at(at)] != k.tile + 1) continue;
+          const WallNumbers numbers = grid.numbers_of(at);
+          for (std::size_t w = 0; w < out.size(); ++w)
+            out[w] = {std::min(out[w][0], numbers[w]), std::max(out[w][1], numbers[w])};
+        }
+    return out;
+  }
+  // Sets the errors of the patches of a kind. The greatest one of those that some cell keeps.
+  double find_bends_of(std::uint32_t kind, const KindBounds& bounds) {
+    const AnalysedTile& tile = tile_of(kind);
+    const auto& patches = patch_bends_[links_.kinds[kind].tile];
+    const auto range = numbers_of_kind(kind);
+    const MapBounds map = bounds.value();
+    double most = 0;
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      const std::uint32_t cap = tile.cap_of_patch[p];
+      if (cap != AnalysedTile::kNoCap && cells_with_cap_[kind][cap] == 0) continue;
+      Interval t;
+      if (const auto& wall = tile.tile.patches[p].wall; wall.has_value()) {
+        const auto [low, high] = range[static_cast<std::size_t>(*wall)];
+        t = Interval::from_bounds(low * 0x1p-20, high * 0x1p-20);
+      }
+      const std::array<double, 2> bends = patches[p].of(map, t);
+      errors_[numbers_.number(kind, p)].along = bends;
+      most = std::max({most, bends[0], bends[1]});
+    }
+    return most;
   }
 
   std::optional<Error> choose_parts() {
@@ -238,12 +298,36 @@ class MicroMesher {
     rounding_ = std::make_unique<Greatest>();
     gaps_ = std::vector<Greatest>(gaps_.size());
   }
-  void measure_gap(std::uint32_t kind, std::size_t patch, const std::array<Vec3d, 4>& at) {
-    Greatest& gap = gaps_[numbers_.number(kind, patch)];
-    gap.reach(internal::quad_gap(at[0], at[1], at[2], at[3], gap.value()));
+  // Measures the quadrilaterals of the patches that are kept.
+  void measure_gaps(std::uint32_t kind, const TileMesh& mesh, const CellPlan& plan,
+                    const PointColumns& points, std::vector<double>& gaps) {
+    gaps.resize(mesh.quads().size());
+    for (const auto& [begin, end] : plan.quads)
+      internal::quad_gaps(points, mesh.quads().data() + begin, end - begin, gaps.data() + begin);
+    for (const std::uint32_t p : plan.patches) {
+      double most = 0;
+      for (std::uint32_t q = mesh.first_quad(p); q < mesh.first_quad(p + 1); ++q)
+        most = gaps[q] <= most ? most : gaps[q];
+      if (!(most <= std::numeric_limits<double>::max()))
+        most = std::numeric_limits<double>::infinity();
+      gaps_[numbers_.number(kind, p)].reach(most);
+    }
   }
-  static bool is_triangle(const TileQuad& q) {
-    return q[0] == q[1] || q[1] == q[2] || q[2] == q[3] || q[3] == q[0];
+  // What GridMap::rounding_of knows about the vertices of all cells.
+  void reach_roundings() {
+    std::vector<std::array<double, 3>> first(cages_.size());
+    for (std::uint32_t k = 0; k < links_.kinds.size(); ++k) {
+      const std::array<double, 3> own = kind_bounds_[k].value().first;
+      std::array<double, 3>& most = first[links_.kinds[k].grid];
+      for (std::size_t a = 0; a < 3; ++a) most[a] = std::max(most[a], own[a]);
+    }
+    const TileMesh* last = nullptr;
+    for (std::uint32_t k = 0; k < links_.kinds.size(); ++k) {
+      const std::uint32_t grid = links_.kinds[k].grid;
+      if (meshes_[k].get() == last && k > 0 && links_.kinds[k - 1].grid == grid) continue;
+      last = meshes_[k].get();
+      rounding_->reach(cages_[grid].rounding_of(*last, first[grid]));
+    }
   }
   // The first and the middle cell of each kind.
   void choose_sample() {
@@ -254,18 +338,16 @@ class MicroMesher {
     }
   }
   void measure_sample() {
+    reach_roundings();
     for_each_map(
         [&](std::uint32_t number) { return is_sampled_[number]; },
-        [&](std::uint32_t, const LinkedCell& cell, const CellMap& map, const WallNumbers& numbers) {
+        [&](std::uint32_t, const LinkedCell& cell, CellOnCage& map, const WallNumbers& numbers) {
           const TileMesh& mesh = *meshes_[cell.kind];
-          std::vector<Vec3d> at;
-          for (std::uint32_t v = 0; v < mesh.num_vertices(); ++v)
-            at.push_back(middle_of(map.value(mesh.position(v, numbers)), *rounding_));
-          for (std::size_t p = 0; p < mesh.parts().size(); ++p)
-            for (std::size_t q = mesh.first_quad(p); q < mesh.first_quad(p + 1); ++q)
-              if (const TileQuad& quad = mesh.quads()[q];
-                  !is_dropped(cell, p) && !is_triangle(quad))
-                measure_gap(cell.kind, p, {at[quad[0]], at[quad[1]], at[quad[2]], at[quad[3]]});
+          CellPlans plans;
+          const CellPlan& plan = plans[plans.number_of(tile_of(cell.kind), mesh, cell)];
+          const PointColumns& points = map.place(mesh, 0, mesh.num_vertices(), numbers, *rounding_);
+          std::vector<double> gaps;
+          measure_gaps(cell.kind, mesh, plan, points, gaps);
         });
   }
   std::optional<Error> rounding_error() const {
@@ -308,32 +390,19 @@ class MicroMesher {
 
   // Which vertices and facets are those of a cell.
   struct CellPlace {
-    std::uint32_t first_vertex = 0, first_facet = 0;
+    std::uint32_t first_vertex = 0, first_facet = 0, plan = 0;
   };
-  static bool is_own_group(const LinkedCell& cell, std::size_t group) {
-    if (group == 0) return true;
-    const std::size_t cap = (group - 1) / 2;
-    return ((group % 2 == 1 ? cell.borrowed : cell.dropped) >> cap & 1) == 0;
-  }
-  std::uint32_t first_of_group(std::uint32_t cell, std::size_t group) const {
-    const LinkedCell& c = links_.cells[cell];
-    const TileMesh& mesh = *meshes_[c.kind];
-    std::uint32_t at = places_[cell].first_vertex;
-    for (std::size_t g = 0; g < group; ++g)
-      if (is_own_group(c, g)) at += mesh.group_size(g);
-    return at;
-  }
+  const CellPlan& plan_of(std::size_t cell) const { return plans_[places_[cell].plan]; }
   std::optional<Error> place_cells() {
-    places_.assign(links_.cells.size(), {});
+    plans_.clear();
+    places_.resize(links_.cells.size());
     std::uint64_t vertices = 0, facets = 0;
     for (std::size_t n = 0; n < links_.cells.size(); ++n) {
       const LinkedCell& cell = links_.cells[n];
-      const TileMesh& mesh = *meshes_[cell.kind];
-      places_[n] = {static_cast<std::uint32_t>(vertices), static_cast<std::uint32_t>(facets)};
-      for (std::size_t g = 0; g < mesh.num_groups(); ++g)
-        if (is_own_group(cell, g)) vertices += mesh.group_size(g);
-      for (std::size_t p = 0; p < mesh.parts().size(); ++p)
-        if (!is_dropped(cell, p)) facets += mesh.num_triangles(p);
+      places_[n] = {static_cast<std::uint32_t>(vertices), static_cast<std::uint32_t>(facets),
+                    plans_.number_of(tile_of(cell.kind), *meshes_[cell.kind], cell)};
+      vertices += plan_of(n).num_vertices;
+      facets += plan_of(n).num_triangles;
       if (facets > options_.max_facets || facets > kMaxMicroFacets || vertices >= 0xffffffff)
         return too_many_facets();
     }
@@ -342,15 +411,16 @@ class MicroMesher {
     return std::nullopt;
   }
   void make_vertices() {
+    reach_roundings();
     for_each_map([](std::uint32_t) { return true; },
-                 [&](std::uint32_t number, const LinkedCell& cell, const CellMap& map,
-                     const WallNumbers& numbers) {
-                   const TileMesh& mesh = *meshes_[cell.kind];
+                 [&, this](std::uint32_t number, const LinkedCell& cell, CellOnCage& map,
+                           const WallNumbers& numbers) {
                    Vec3d* to = out_.mesh.positions.data() + places_[number].first_vertex;
-                   for (std::size_t g = 0; g < mesh.num_groups(); ++g) {
-                     if (!is_own_group(cell, g)) continue;
-                     for (std::uint32_t v = mesh.group_begin(g); v < mesh.group_begin(g + 1); ++v)
-                       *to++ = middle_of(map.value(mesh.position(v, numbers)), *rounding_);
+                   for (const auto& [begin, end] : plan_of(number).own) {
+                     const PointColumns& points =
+                         map.place(*meshes_[cell.kind], begin, end, numbers, *rounding_);
+                     for (std::size_t v = 0; v < end - begin; ++v)
+                       *to++ = {points.at[0][v], points.at[1][v], points.at[2][v]};
                    }
                  });
   }
@@ -379,17 +449,19 @@ class MicroMesher {
     const TileMesh& mesh = *meshes_[cell.kind];
     ids.resize(mesh.num_vertices());
     std::uint32_t own = places_[number].first_vertex;
+    for (const auto& [begin, end] : plan_of(number).own)
+      for (std::uint32_t v = begin; v < end; ++v) ids[v] = own++;
     std::size_t link = cell.first_link;
-    for (std::size_t g = 0; g < mesh.num_groups(); ++g) {
-      const std::uint32_t begin = mesh.group_begin(g), end = mesh.group_begin(g + 1);
-      if (is_own_group(cell, g)) {
-        for (std::uint32_t v = begin; v < end; ++v) ids[v] = own++;
-      } else if (g % 2 == 1) {
-        const RimLink& l = links_.links[link++];
-        const std::uint32_t first =
-            first_of_group(l.owner, TileMesh::rim_of_cap(links_.rims[l.rim].owner_cap));
-        for (std::uint32_t v = begin; v < end; ++v) ids[v] = first + shared[l.rim][v - begin];
-      }
+    for (std::uint64_t caps = cell.borrowed; caps != 0; caps &= caps - 1) {
+      const std::size_t rim =
+          TileMesh::rim_of_cap(static_cast<std::size_t>(std::countr_zero(caps)));
+      const RimLink& l = links_.links[link++];
+      const std::size_t owner_rim = TileMesh::rim_of_cap(links_.rims[l.rim].owner_cap);
+      const std::uint32_t first =
+          places_[l.owner].first_vertex + plan_of(l.owner).first_of_group[owner_rim];
+      const std::uint32_t* const from = shared[l.rim].data();
+      std::uint32_t* const to = ids.data() + mesh.group_begin(rim);
+      for (std::uint32_t v = 0; v < mesh.group_size(rim); ++v) to[v] = first + from[v];
     }
   }
   std::optional<Error> make_bridges() {
@@ -409,11 +481,14 @@ class MicroMesher {
     const auto shared = shared_vertices();
     parallel_for(links_.cells.size(), kCellsInChunk, options_.jobs,
                  [&](std::size_t, std::size_t begin, std::size_t end) {
-                   const ScopedUpward upward;
+                   const ScopedDefaultFp fp;
                    std::vector<std::uint32_t> ids;
+                   PointColumns points;
+                   std::vector<double> gaps;
                    for (std::size_t n = begin; n < end; ++n) {
                      number_vertices_of(static_cast<std::uint32_t>(n), shared, ids);
                      make_facets_of(n, ids);
+                     measure_gaps_of(n, ids, points, gaps);
                    }
                  });
   }
@@ -422,25 +497,27 @@ class MicroMesher {
     const TileMesh& mesh = *meshes_[cell.kind];
     const MicroGrid& grid = micro_.grids[links_.kinds[cell.kind].grid];
     const bool is_left_handed = cage_.hand(grid.volume) == Sign::kNegative;
-    const auto& positions = out_.mesh.positions;
     auto* to = out_.mesh.faces.data() + places_[number].first_facet;
-    for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
-      if (is_dropped(cell, p)) continue;
-      for (std::size_t q = mesh.first_quad(p); q < mesh.first_quad(p + 1); ++q) {
-        const TileQuad& quad = mesh.quads()[q];
-        std::array<std::array<std::uint32_t, 3>, 2> triangles;
-        const std::size_t count = internal::triangles_of(quad, triangles);
-        for (std::size_t k = 0; k < count; ++k) {
-          auto [a, b, c] = triangles[k];
-          if (is_left_handed) std::swap(b, c);
-          *to++ = {ids[a], ids[b], ids[c]};
-        }
-        if (count == 2)
-          measure_gap(cell.kind, p,
-                      {positions[ids[quad[0]]], positions[ids[quad[1]]], positions[ids[quad[2]]],
-                       positions[ids[quad[3]]]});
+    for (const auto& [begin, end] : plan_of(number).triangles)
+      for (std::uint32_t k = begin; k < end; ++k) {
+        const TileTriangle& t = mesh.triangles()[k];
+        *to++ = {ids[t[0]], ids[t[is_left_handed ? 2 : 1]], ids[t[is_left_handed ? 1 : 2]]};
       }
-    }
+  }
+  void measure_gaps_of(std::size_t number, const std::vector<std::uint32_t>& ids,
+                       PointColumns& points, std::vector<double>& gaps) {
+    const TileMesh& mesh = *meshes_[links_.cells[number].kind];
+    points.resize(mesh.num_vertices());
+    double *const x = points.at[0].data(), *const y = points.at[1].data(),
+                  *const z = points.at[2].data();
+    for (const auto& [begin, end] : plan_of(number).present)
+      for (std::uint32_t v = begin; v < end; ++v) {
+        const Vec3d& p = out_.mesh.positions[ids[v]];
+        x[v] = p.x;
+        y[v] = p.y;
+        z[v] = p.z;
+      }
+    measure_gaps(links_.cells[number].kind, mesh, plan_of(number), points, gaps);
   }
 
   Result<MicroMesh> result() {
@@ -460,12 +537,12 @@ class MicroMesher {
   BridgeSurfaces bridges_;
   PartNumbers numbers_;
   std::vector<std::size_t> first_row_;  // of each grid: rows of cells along its third axis
-  std::vector<CageCells> cages_;
+  std::vector<GridMap> cages_;
   std::vector<std::vector<PatchBend>> patch_bends_;  // by tiles
   std::vector<std::vector<std::uint64_t>>
       cells_with_cap_;  // by kinds: of each cap, the cells that keep it; at the end, all cells
-  std::vector<std::array<Greatest, 2>> bends_;  // by patches of kinds, as all that follow
-  std::vector<PatchError> errors_;
+  std::vector<KindBounds> kind_bounds_;
+  std::vector<PatchError> errors_;  // by patches of kinds
   std::vector<Greatest> gaps_;
   std::unique_ptr<Greatest> rounding_;
   struct MadeMesh {
@@ -477,6 +554,7 @@ class MicroMesher {
   std::vector<std::shared_ptr<const TileMesh>> meshes_;  // by kinds
   std::vector<bool> is_sampled_;                         // by cells
   std::vector<CellPlace> places_;
+  CellPlans plans_;
   MicroMesh out_;
 };
 

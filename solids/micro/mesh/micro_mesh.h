@@ -51,8 +51,7 @@ struct MicroMesh {
 /// @error kBadArgument: a chord that is not positive and finite, or less than 64 times the rounding of vertices;
 ///        what topology_of refuses. kEmpty: no cell holds a tile. kOverLimit: more than max_facets facets.
 ///        kNotFinite: control points near the end of the range of binary64
-/// @cost  near-linear in the facets: approximately 0.2 microseconds for each with tricubic volumes; 24 bytes a
-///        facet in the result
+/// @cost  near-linear in the facets: approximately 25 ns for each; 24 bytes a facet in the result
 Result<MicroMesh> mesh_of(const Microstructure& micro, const VModel& cage,
                           const std::vector<AnalysedTile>& tiles, const MicroMeshOptions& options);
 

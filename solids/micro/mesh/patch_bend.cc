@@ -40,9 +40,9 @@ std::array<Interval, 3> PatchBend::bounds_of(const Derivative& d, const Interval
           Interval::from_bounds(0, most[2])};
 }
 
-std::array<double, 2> PatchBend::of(const MapBounds& map, std::int32_t number) const {
+std::array<double, 2> PatchBend::of(const MapBounds& map, const Interval& t) const {
   const auto bound = [](double x) { return Interval::from_bounds(0, x); };
-  const Interval t(number * 0x1p-20), two(2.0), eighth(0.125);
+  const Interval two(2.0), eighth(0.125);
   std::array<double, 2> out;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto s = bounds_of(first_[axis], t), second = bounds_of(second_[axis], t);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
+#include "interval/numeric.h"
 #include "robust/base/check.h"
 #include "solids/micro/mesh/tile_mesh_internal.h"
 #include "splines/binomial.h"
@@ -47,7 +49,7 @@ struct MeshEdge {
 
 }  // namespace
 
-std::size_t triangles_of(const TileQuad& quad, std::array<std::array<std::uint32_t, 3>, 2>& out) {
+std::size_t triangles_of(const TileQuad& quad, std::array<TileTriangle, 2>& out) {
   const auto [a, b, c, d] = quad;
   if (a == b) return out[0] = {a, c, d}, 1;
   if (b == c) return out[0] = {a, b, d}, 1;
@@ -60,7 +62,8 @@ TileMesh::TileMesh(const AnalysedTile& tile, std::vector<PatchParts> parts)
     : tile_(tile), parts_(std::move(parts)) {
   number_vertices();
   place_vertices();
-  add_quads();
+  fill_table();
+  add_facets();
 }
 
 void TileMesh::number_vertices() {
@@ -186,20 +189,48 @@ Box3 TileMesh::position(std::uint32_t vertex, const WallNumbers& numbers) const 
   return out;
 }
 
-void TileMesh::add_quads() {
+// The middles of the points' boxes. Bound: docs/bounds/micro_mesh.md, section 3.
+void TileMesh::fill_table() {
+  constexpr double kUnit = 0x1p-53;
+  std::size_t powers = 1;
+  for (std::size_t v = 0; v < num_vertices(); ++v)
+    powers = std::max<std::size_t>(powers, first_point_[v + 1] - first_point_[v]);
+  table_.wall.assign(num_vertices() + kSpareLanes, PointTable::kNoWall);
+  table_.of_power.resize(powers);
+  for (PointColumns& list : table_.of_power) list.resize(num_vertices());
+  std::copy(wall_.begin(), wall_.end(), table_.wall.begin());
+  for (std::size_t v = 0; v < num_vertices(); ++v)
+    for (std::size_t c = 0; c < 3; ++c) {
+      Interval error;
+      for (std::uint32_t k = 0; k < first_point_[v + 1] - first_point_[v]; ++k) {
+        const MidRad x = mid_rad(points_[first_point_[v] + k][c]);
+        table_.of_power[k].at[c][v] = x.mid;
+        error += Interval(x.rad) + Interval(2 * static_cast<double>(powers) * kUnit) *
+                                       Interval::from_bounds(0, std::abs(x.mid));
+      }
+      table_.error = std::max(table_.error, error.hi());
+    }
+}
+
+void TileMesh::add_facets() {
+  const auto end = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
   for (std::uint32_t p = 0; p < parts_.size(); ++p) {
-    first_quad_.push_back(quads_.size());
-    num_triangles_.push_back(0);
+    first_triangle_.push_back(end(triangles_));
+    first_quad_.push_back(end(quads_));
     const auto [m, n] = parts_[p];
     for (std::uint32_t i = 0; i < m; ++i)
       for (std::uint32_t j = 0; j < n; ++j) {
-        quads_.push_back({vertex_at(p, i, j), vertex_at(p, i + 1, j), vertex_at(p, i + 1, j + 1),
-                          vertex_at(p, i, j + 1)});
-        std::array<std::array<std::uint32_t, 3>, 2> triangles;
-        num_triangles_.back() += triangles_of(quads_.back(), triangles);
+        const TileQuad quad = {vertex_at(p, i, j), vertex_at(p, i + 1, j),
+                               vertex_at(p, i + 1, j + 1), vertex_at(p, i, j + 1)};
+        std::array<TileTriangle, 2> halves;
+        const std::size_t count = triangles_of(quad, halves);
+        triangles_.insert(triangles_.end(), halves.begin(),
+                          halves.begin() + static_cast<std::ptrdiff_t>(count));
+        if (count == 2) quads_.push_back(quad);
       }
   }
-  first_quad_.push_back(quads_.size());
+  first_triangle_.push_back(end(triangles_));
+  first_quad_.push_back(end(quads_));
 }
 
 std::size_t TileMesh::group_of_vertex(std::uint32_t vertex) const {
@@ -211,21 +242,17 @@ std::size_t TileMesh::group_of_vertex(std::uint32_t vertex) const {
 
 std::uint32_t TileMesh::patch_with_too_few_parts(int strictness) const {
   std::vector<MeshEdge> edges;
-  std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> faces;
+  std::vector<std::pair<TileTriangle, std::uint32_t>> faces;
   for (std::uint32_t p = 0; p < parts_.size(); ++p)
-    for (std::size_t q = first_quad_[p]; q < first_quad_[p + 1]; ++q) {
-      std::array<std::array<std::uint32_t, 3>, 2> triangles;
-      const std::size_t count = triangles_of(quads_[q], triangles);
-      for (std::size_t k = 0; k < count; ++k) {
-        auto t = triangles[k];
-        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return p;
-        for (std::size_t e = 0; e < 3; ++e) {
-          const std::uint32_t a = t[e], b = t[(e + 1) % 3];
-          edges.push_back({std::min(a, b), std::max(a, b), p, a < b});
-        }
-        std::sort(t.begin(), t.end());
-        faces.emplace_back(t, p);
+    for (std::uint32_t k = first_triangle_[p]; k < first_triangle_[p + 1]; ++k) {
+      TileTriangle t = triangles_[k];
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return p;
+      for (std::size_t e = 0; e < 3; ++e) {
+        const std::uint32_t a = t[e], b = t[(e + 1) % 3];
+        edges.push_back({std::min(a, b), std::max(a, b), p, a < b});
       }
+      std::sort(t.begin(), t.end());
+      faces.emplace_back(t, p);
     }
   std::sort(faces.begin(), faces.end());
   for (std::size_t f = 1; f < faces.size(); ++f)

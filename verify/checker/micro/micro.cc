@@ -46,14 +46,28 @@ void read_hint(MicroBridge* bridge, uint64_t number, Bytes* bytes) {
   const std::vector<Big> matrix = integers_of(k, 9 * 64);
   std::copy(matrix.begin(), matrix.end(), bridge->matrix);
 }
+// B1, and B2 for K, d and l.
+void read_hint(MicroSweep* sweep, uint64_t number, Bytes* bytes) {
+  const Ratio one(Big(1));
+  for (size_t i = 0; i < 11; ++i) {
+    const Ratio x = bytes->rational();
+    if (std::max(x.n.bits(), x.d.bits()) > 64) sweep->is_long = true;
+    if (i >= 9) require(x.n.sign() > 0, "B1", "d or l is not positive, of sweep", number);
+    if (i == 9) require(compare(x, one) <= 0, "B1", "d is over 1, of sweep", number);
+    Span& to = i < 9 ? sweep->matrix[i] : i == 9 ? sweep->depth : sweep->speed;
+    to = x == one ? Span{1, 1} : span_of(x);
+  }
+}
 void read_hints(MicroFile* file, Bytes* bytes) {  // B1
   require(bytes->body.begins_with("VTMS"), "B1", "another magic number");
   require(bytes->body.count(5) == file->tiles.size(), "B1", "the file's tiles are",
           file->tiles.size());
-  require(bytes->body.count(19) == file->bridges.size(), "B1", "the file's bridges are",
-          file->bridges.size());
+  const uint64_t bridges = file->bridges.size() + file->sweeps.size();
+  require(bytes->body.count(file->sweeps.empty() ? 19 : 22) == bridges, "B1",
+          "the file's bridges and sweeps are", bridges);
   for (MicroTile& tile : file->tiles) read_hint(&tile, bytes);
   for (size_t i = 0; i < file->bridges.size(); ++i) read_hint(&file->bridges[i], i, bytes);
+  for (size_t i = 0; i < file->sweeps.size(); ++i) read_hint(&file->sweeps[i], i, bytes);
 }
 void check_costs(const std::vector<MicroBridge>& bridges) {  // B2
   uint64_t cost = 0;
@@ -130,6 +144,9 @@ CheckedMicro check_micro_body(MicroFile* file, uint64_t file_bytes, const Body& 
   read_hints(file, &bytes);
   check_limits(file);
   check_costs(file->bridges);
+  for (const MicroSweep& b : file->sweeps)
+    require(!b.is_long, "B2", "K, d or l has long numbers, of sweep",
+            uint64_t(&b - file->sweeps.data()));
   CheckedMicro r;
   r.faces = check_cells(file->cage, file_bytes, bytes.body).faces;
   for (MicroTile& tile : file->tiles) {
@@ -142,9 +159,10 @@ CheckedMicro check_micro_body(MicroFile* file, uint64_t file_bytes, const Body& 
   MicroNumbers n = check_meetings(*file, r.faces, with_shells);
   r.shells = std::move(n.first);
   check_bridges(*file, r.faces, n.is_meeting);
+  check_sweeps(*file, n.is_meeting);
   r.numbers = {{"cells", file->cells},
                {"tiles", file->kept},
-               {"bridges", file->bridges.size()},
+               {"bridges", file->bridges.size() + file->sweeps.size()},
                {"glued_caps", n.glued_caps},
                {"components", n.components},
                {"shells", n.shells},

@@ -4,6 +4,7 @@
 #pragma once
 #include "../patches/star_model.h"
 #include "../vmodel/vmodel.h"
+#include "micro_double.h"
 
 const uint64_t kMostMicroCells = uint64_t(1) << 27, kMostWallPairs = 1 << 24;
 const int64_t kMostBridgeBits = 8192;  // of its coordinates, as integers with a common denominator
@@ -110,11 +111,23 @@ struct MicroBridge {
   }
 };
 
+// Its numbers are bounded from both sides as they are read: a file may have millions of sweeps, whose conditions are
+// decided in double precision.
+struct MicroSweep {
+  size_t grid = 0;
+  uint64_t cell = 0;  // its number in the grid
+  size_t wall = 0;
+  Span axis[2][3];               // e and f
+  Span matrix[9], depth, speed;  // K, d and l of section 7b; {1, 1} if d is 1
+  bool is_long = false;          // B2 fails: K, d or l has long numbers
+};
+
 struct MicroFile {
   std::vector<Entity> cage;
   std::vector<MicroGrid> grids;
   std::vector<MicroTile> tiles;
   std::vector<MicroBridge> bridges;
+  std::vector<MicroSweep> sweeps;
   uint64_t cells = 0, kept = 0;  // of all grids; those that hold a tile
 };
 // Whether the grid reaches this face of its volume.
@@ -160,15 +173,22 @@ struct PatchOfCell {
 // T4 and what section 8 counts.
 struct MicroNumbers {
   uint64_t glued_caps = 0, components = 0, shells = 0;
-  int64_t chi = 0;                 // of N
-  std::vector<bool> is_meeting;    // of each bridge: whether a cap in its wall is equal to another
+  int64_t chi = 0;  // of N
+  // For each bridge, then for each sweep: whether a cap in its wall is equal to another.
+  std::vector<bool> is_meeting;
   std::vector<PatchOfCell> first;  // of each shell, if that was asked for: its first patch
 };
 MicroNumbers check_meetings(const MicroFile& file, const std::vector<FaceCode>& faces,
                             bool with_shells);
+// The patch of a tile that is all there is in the wall of a cell, a cap of one patch; or `id` fails, of the bridge or
+// sweep with this number.
+const MicroPatch& patch_of_cap(const MicroFile& file, size_t grid, uint64_t cell, size_t wall,
+                               const char* id, uint64_t number);
 // R1 to R4.
 void check_bridges(const MicroFile& file, const std::vector<FaceCode>& faces,
                    const std::vector<bool>& is_meeting);
+// Q1 to Q4.
+void check_sweeps(const MicroFile& file, const std::vector<bool>& is_meeting);
 
 // The conditions of section 2 to 7 for a body about a file of so many bytes. The result are the numbers of section 8.
 struct CheckedMicro {

@@ -194,18 +194,9 @@ class BridgeCheck {
   }
   void check_cap(const MicroBridge& b, const OtherSide& other, uint64_t number) const {  // R2
     const MicroGrid& g = file_.grids[b.grid];
-    const MicroTile& tile = file_.tiles[g.tile[b.cell] - size_t(1)];
-    const MicroCap* cap = nullptr;
-    for (const MicroCap& c : tile.caps) {
-      if (c.wall != b.wall) continue;
-      require(cap == nullptr, "R2", "there are two caps in the wall of bridge", number);
-      cap = &c;
-    }
-    require(cap != nullptr && cap->patches.size() == 1, "R2",
-            "there is no cap of one patch in the wall of bridge", number);
     size_t i[3];
     g.place_of(b.cell, i);
-    MicroPatch s = tile.patches[cap->patches[0]];
+    MicroPatch s = patch_of_cap(file_, b.grid, b.cell, b.wall, "R2", number);
     if (s.lists > 1) s = at_number(s, g.number(i, size_t(s.wall)));
     Plate plate = {size_t(s.p) + 1, size_t(s.q) + 1, std::vector<Big>(s.net.size()), {}};
     Plate list = {size_t(b.p) + 1, size_t(b.q) + 1, {}, {b.scale, b.scale, b.scale}};
@@ -245,6 +236,20 @@ class BridgeCheck {
 };
 
 }  // namespace
+
+const MicroPatch& patch_of_cap(const MicroFile& file, size_t grid, uint64_t cell, size_t wall,
+                               const char* id, uint64_t number) {
+  const MicroTile& tile = file.tiles[file.grids[grid].tile[cell] - size_t(1)];
+  const MicroCap* cap = nullptr;
+  for (const MicroCap& c : tile.caps) {
+    if (c.wall != wall) continue;
+    require(cap == nullptr, id, "there are two caps in the wall of bridge or sweep", number);
+    cap = &c;
+  }
+  require(cap != nullptr && cap->patches.size() == 1, id,
+          "there is no cap of one patch in the wall of bridge or sweep", number);
+  return tile.patches[cap->patches[0]];
+}
 
 void check_bridges(const MicroFile& file, const std::vector<FaceCode>& faces,
                    const std::vector<bool>& is_meeting) {

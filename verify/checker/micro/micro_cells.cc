@@ -82,7 +82,10 @@ class Meetings {
               nodes_->unite(node_of_cap(cell, tile, c), first_node_[cell] + piece);
       });
     for (uint32_t i = 0; i < nodes_->parent.size(); ++i) out_.shells += nodes_->parent[i] == i;
-    for (const MicroBridge& b : file_.bridges) out_.is_meeting.push_back(is_meeting(b));
+    for (const MicroBridge& b : file_.bridges)
+      out_.is_meeting.push_back(is_meeting(file_.grids[b.grid], b.cell, b.wall));
+    for (const MicroSweep& b : file_.sweeps)
+      out_.is_meeting.push_back(is_meeting(file_.grids[b.grid], b.cell, b.wall));
     return out_;
   }
   // A class's least node belongs to its first cell.
@@ -111,11 +114,10 @@ class Meetings {
     return first_node_[cell] + tile.pieces + cap;
   }
   bool is_taken(uint64_t node) const { return nodes_->parent[node] == kTaken; }
-  bool is_meeting(const MicroBridge& b) const {
-    const MicroGrid& g = file_.grids[b.grid];
-    const MicroTile& tile = file_.tiles[g.tile[b.cell] - size_t(1)];
+  bool is_meeting(const MicroGrid& g, uint64_t cell, size_t wall) const {
+    const MicroTile& tile = file_.tiles[g.tile[cell] - size_t(1)];
     for (size_t c = 0; c < tile.caps.size(); ++c)
-      if (tile.caps[c].wall == b.wall && is_taken(node_of_cap(g.first_cell + b.cell, tile, c)))
+      if (tile.caps[c].wall == wall && is_taken(node_of_cap(g.first_cell + cell, tile, c)))
         return true;
     return false;
   }

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// micro_extras.cc: points, bridges and materials of docs/formats/micro-files.md.
-#include <tuple>
-
+// micro_extras.cc: points, bridges, sweeps and materials of docs/formats/micro-files.md.
 #include "../patches/star_extraction.h"
 #include "micro_reader.h"
 
 namespace {
 
-const size_t kMostBridges = 1 << 22, kMostMaterials = 16;
+const size_t kMostBridges = 1 << 22 /* and sweeps */, kMostMaterials = 16;
 const int64_t kMostBridgeDegree = 7, kMostPlaceBits = 2304;
 const int64_t kMostValue = int64_t(1) << 52;
 
-std::tuple<size_t, uint64_t, size_t> place_of(const MicroBridge& b) {
-  return std::make_tuple(b.grid, b.cell, b.wall);
-}
 // Integers with a common denominator, which comes first; none if they are too long for B2.
 std::vector<Big> common_integers(const std::vector<Ratio>& v) {
   try {
@@ -46,11 +41,8 @@ void MicroParts::bridge() {
   std::vector<Ratio> numbers(1, Ratio(Big(1)));
   size_t count = 0;
   object({"grid", "cell", "wall", "volume", "degrees", "points"}, [&](size_t key) {
-    const auto most = [](uint64_t n) { return int64_t(n) - 1; };
-    if (key == 0) b.grid = size_t(integer_in(0, most(out.grids.size())));
-    if (key == 1) b.cell = uint64_t(integer_in(0, most(kMostMicroCells)));
-    if (key == 2) b.wall = size_t(integer_in(0, 5));
-    if (key == 3) b.volume = uint64_t(integer_in(0, most(out.cage.size())));
+    begin_of(key, &b);
+    if (key == 3) b.volume = uint64_t(integer_in(0, int64_t(out.cage.size()) - 1));
     if (key == 4)
       short_list(2, "a bridge has two degrees",
                  [&](size_t i) { (i == 0 ? b.p : b.q) = int(integer_in(1, kMostBridgeDegree)); });
@@ -58,10 +50,7 @@ void MicroParts::bridge() {
   });
   expect(b.q > 0, "a bridge has two degrees");
   expect(count == size_t(3 * (b.p + 1) * (b.q + 1)), "another number of points");
-  const MicroGrid& g = out.grids[b.grid];
-  expect(b.cell < g.cells() && g.tile[b.cell] != 0, "the cell of a bridge holds no tile");
-  expect(out.bridges.empty() || place_of(out.bridges.back()) < place_of(b),
-         "the bridges are not in ascending order of grid, cell and wall");
+  check_begin_of(b, out.bridges);
   b.net = common_integers(numbers);
   if (!b.net.empty()) {
     b.scale = b.net[0];
@@ -71,6 +60,23 @@ void MicroParts::bridge() {
 }
 void MicroParts::bridges() {
   short_list(kMostBridges, "more than 2^22 bridges", [&](size_t) { bridge(); });
+}
+
+void MicroParts::sweep() {
+  MicroSweep b;
+  std::vector<Ratio> numbers;
+  object({"grid", "cell", "wall", "axis"}, [&](size_t key) {
+    begin_of(key, &b);
+    if (key == 3) points(2, kMostPlaceBits, &numbers);
+  });
+  expect(numbers.size() == 6, "the axis of a sweep has not two vectors");
+  for (size_t i = 0; i < 6; ++i) b.axis[i / 3][i % 3] = span_of(numbers[i]);
+  check_begin_of(b, out.sweeps);
+  out.sweeps.push_back(b);
+}
+void MicroParts::sweeps() {
+  short_list(kMostBridges, "more than 2^22 sweeps", [&](size_t) { sweep(); });
+  expect(out.sweeps.empty() || out.bridges.empty(), "the file has bridges and sweeps");
 }
 
 void MicroParts::values(const MicroGrid& g) {

@@ -22,13 +22,52 @@ bool is_skin(const std::string& s) {
          denominator.find_first_not_of('0') != std::string::npos;
 }
 
-Model read_solid(const Statement& s) {
-  try {
-    return read_model(s.solid, s.text.at("model_format"), s.flag.at("as_indexed"));
-  } catch (const Refused& r) {
-    throw Refused{"the model " + s.solid_name + ": " + r.why};
-  }
+bool is_mesh(const std::string& format) {
+  return format == "stl" || format == "obj" || format == "ply" || format == "off";
 }
+bool is_spline(const std::string& format) {
+  for (const char* name : {"vjson", "itd", "g2", "mfem"})
+    if (format == name || format == name + std::string("-faces")) return true;
+  return false;
+}
+
+// The solid M: a mesh or a spline model.
+struct GivenSolid {
+  explicit GivenSolid(const Statement& s) {
+    const std::string& format = s.text.at("model_format");
+    try {
+      if (is_mesh(format)) {
+        mesh.reset(new Model(read_model(s.solid, format, s.flag.at("as_indexed"))));
+      } else {
+        entities = read_spline_model(s.solid, format);
+      }
+    } catch (const Refused& r) {
+      throw Refused{"the model " + s.solid_name + ": " + r.why};
+    }
+  }
+  // The conditions of the part about it, and I0.
+  void check(const Statement& s, const Body& part, uint64_t body_bytes) {
+    if (mesh != nullptr) {
+      const MeshKind kind = {"VTMV", s.flag.at("as_indexed"), false};
+      of_mesh.reset(new SolidMesh(check_solid(kind, mesh.get(), part)));
+      surface.reset(new Triangles(*mesh));
+      around = around_mesh(*mesh, *of_mesh);
+      return;
+    }
+    of_patches = check_solid_patches(entities, s.solid.size(), part);
+    of_patches.bytes = s.solid.size() + body_bytes;
+    entities = std::vector<Entity>();
+    surface.reset(new SplinePatches(of_patches.grids, of_patches.is_rational, of_patches.unit));
+    around = around_patches(of_patches);
+  }
+
+  std::unique_ptr<Model> mesh;
+  std::unique_ptr<const SolidMesh> of_mesh;
+  std::vector<Entity> entities;
+  SolidPatches of_patches;
+  std::unique_ptr<Obstacle> surface;
+  std::unique_ptr<SolidAround> around;
+};
 
 InsideBody read_inside(const MicroFile& file, const Body& body) {  // B1, B2
   Bytes bytes(body);
@@ -64,8 +103,7 @@ void check_inside_values(const Statement& s) {
   require(hash.size() == 64 && hash.find_first_not_of("0123456789abcdef") == std::string::npos,
           "S1", "no hash of the model");
   const std::string &format = s.text.at("model_format"), &skin = s.text.at("skin");
-  require(format == "stl" || format == "obj" || format == "ply" || format == "off", "S1",
-          "unknown model_format");
+  require(is_mesh(format) || is_spline(format), "S1", "unknown model_format");
   require(skin == "-" || is_skin(skin), "S1", "skin is no rational number");
 }
 
@@ -76,23 +114,23 @@ std::string check_micro_inside(const Statement& s, std::string text, const Body&
           "another model");
   MicroFile file = read_micro(text);
   text = std::string();
-  Model model = read_solid(s);
-  const InsideBody parts = read_inside(file, body);
+  GivenSolid solid(s);
+  const InsideBody read = read_inside(file, body);
   const CheckedMicro structure =
-      check_micro_body(&file, s.number.at("subject_bytes"), parts.structure, true);
-  const MeshKind kind = {"VTMV", s.flag.at("as_indexed"), false};
-  const SolidMesh solid = check_solid(kind, &model, parts.solid);
+      check_micro_body(&file, s.number.at("subject_bytes"), read.structure, true);
+  solid.check(s, read.solid, body.left());
 
-  const Triangles triangles(model);
   VolumeMaps maps(file.cage);
-  OffSurface off(file, triangles, &maps);
+  TileParts parts(file, &maps);
+  OffSurface off(&parts, solid.surface.get());
   off.check_cells();
   off.check_bridges();
-  check_shells(structure.shells, model, &off);
-  check_voids(parts.voids, file, model, solid, &maps);
+  off.check_sweeps();
+  solid.around->check_shells(structure.shells, &off);
+  check_voids(read.voids, &parts, solid.around.get());
   const bool has_skin = s.text.at("skin") != "-";
-  require(has_skin != file.bridges.empty(), "I4",
+  require(has_skin == !(file.bridges.empty() && file.sweeps.empty()), "I4",
           "there is a skin without bridges, or the reverse");
-  if (has_skin) check_skin(file, triangles, &maps, read_number(s.text.at("skin")));
+  if (has_skin) check_skin(&parts, solid.surface.get(), read_number(s.text.at("skin")));
   return compared(s, structure.numbers);
 }

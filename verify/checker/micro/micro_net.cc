@@ -38,6 +38,12 @@ void restrict_net(DoubleNet* net, size_t axis, double a, double b) {
   net->error += std::ldexp(double(net->n[axis]) * size, -46) + kTiny;  // more than twice the bound
 }
 
+void halve_net(const DoubleNet& net, size_t axis, DoubleNet* lower, DoubleNet* upper) {
+  *lower = net, *upper = net;
+  restrict_net(lower, axis, 0, 0.5);
+  restrict_net(upper, axis, 0.5, 1);
+}
+
 DoubleBox box_of(const DoubleNet& net) {
   DoubleBox r;
   for (size_t k = 0; k < 3; ++k) r.lo[k] = r.hi[k] = net.v[k];

@@ -27,6 +27,8 @@ struct DoubleNet {
 };
 // The net of the polynomials on [a, b] along the axis, or on a greater interval; 0 <= a <= b <= 1.
 void restrict_net(DoubleNet* net, size_t axis, double a, double b);
+// Both halves along the axis.
+void halve_net(const DoubleNet& net, size_t axis, DoubleNet* lower, DoubleNet* upper);
 // The coefficients' least box, or a greater one. The net's stride is 3.
 DoubleBox box_of(const DoubleNet& net);
 
@@ -39,17 +41,31 @@ struct PointHull {
 };
 void set_hull(const DoubleNet& net, PointHull* hull);
 
-class Triangles {
+const uint64_t kMostPairs = 1 << 30;  // of nodes with triangles or patches
+
+// The surface of the model, as I1 and I4 ask about it.
+class Obstacle {
+ public:
+  virtual ~Obstacle() {}
+  // Patches, or triangles.
+  virtual bool has_patches() const = 0;
+  // Whether the points are known to be apart from all of it. Adds the pairs whose boxes meet; those of blocks of cells
+  // may be decided by boxes alone.
+  virtual bool misses(const PointHull& hull, uint64_t* pairs) = 0;
+  virtual bool misses_block(const PointHull& hull, uint64_t* pairs) = 0;
+  // Whether a part of it, as I4 says, is known to be at most this far from each point. Adds the parts that are tried.
+  virtual bool is_near(const PointHull& hull, double distance, uint64_t* pairs) = 0;
+};
+
+class Triangles : public Obstacle {
  public:
   explicit Triangles(const Model& model);
-  // Whether the box is apart from all triangles along an axis.
-  bool miss(const DoubleBox& box) const {
-    return tree_.each(box, [](uint32_t) { return false; });
+  bool has_patches() const override { return false; }
+  bool misses(const PointHull& hull, uint64_t* pairs) override;
+  bool misses_block(const PointHull& hull, uint64_t*) override {
+    return hull.is_known && tree_.each(hull.box, [](uint32_t) { return false; });
   }
-  // Whether the points are known to be apart from each triangle. Counts the triangles whose boxes meet theirs.
-  bool miss(const PointHull& hull, uint64_t* pairs) const;
-  // Whether there is a triangle that is known to be at most this far from each point. Counts those that are tried.
-  bool is_near(const PointHull& hull, double distance, uint64_t* pairs) const;
+  bool is_near(const PointHull& hull, double distance, uint64_t* pairs) override;
 
  private:
   void corners(uint32_t face, double (*to)[3]) const {

@@ -218,7 +218,7 @@ struct MicroReader : MicroParts {
   void file() {
     size_t expected = 0;
     const auto member = [&](size_t key) {
-      expect(key == expected || (key == 8 && expected == 7),
+      expect(key == expected || (key > expected && expected >= 7),
              "a key is missing, or the keys of the file are in another order");
       expected = key + 1;
       if (key == 0) expect(string() == "veritope-micro-1", "unknown format");
@@ -239,10 +239,12 @@ struct MicroReader : MicroParts {
       if (key == 5) cells();
       if (key == 6) walls();
       if (key == 7) bridges();
-      if (key == 8) materials();
+      if (key == 8) sweeps();
+      if (key == 9) materials();
     };
-    object({"format", "model", "cage", "grids", "tiles", "cells", "walls", "bridges", "materials"},
-           member, 2);
+    object({"format", "model", "cage", "grids", "tiles", "cells", "walls", "bridges", "sweeps",
+            "materials"},
+           member, 3);
     expect(next() == '\0' && at == text.size(), "something follows the file's object");
   }
 };

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// micro_skin.cc: I1 for bridges, and I4; docs/certificates/micro-inside.md, sections 3 and 6.
+// micro_skin.cc: I1 for bridges, and I4 for bridges and sweeps; docs/certificates/micro-inside.md, sections 3 and 6.
 #include "micro_inside.h"
 
 namespace {
 
 const int kMostLevelOfBridge = 60, kMostLevelOfEnd = 24, kMostNodesOfEnd = 4096;
-const uint64_t kMostPairsOfEnds = 1 << 30;
 
 // The intervals between these rising numbers that may have a common point with [lo, hi]: first <= i < last.
 void find_intervals(const std::vector<Span>& t, double lo, double hi, size_t* first, size_t* last) {
@@ -67,7 +66,7 @@ DoubleNet net_of_bridge(const MicroBridge& b, const Entity& volume, bool is_end_
 
 void OffSurface::check_bridges() {
   for (const MicroBridge& b : file_.bridges) {
-    KnotBoxes boxes(&maps_, b.volume);
+    KnotBoxes boxes(&parts_.maps(), b.volume);
     std::vector<std::pair<DoubleNet, int>> nodes;  // with their levels
     nodes.push_back(std::make_pair(net_of_bridge(b, file_.cage[b.volume], false), 0));
     while (!nodes.empty()) {
@@ -75,7 +74,7 @@ void OffSurface::check_bridges() {
       nodes.pop_back();
       uint64_t count = 0;
       const bool is_off = boxes.each(box_of(node.first), &count, [&](const PointHull& hull) {
-        return triangles_.miss(hull, &pairs_);
+        return surface_.misses(hull, &pairs_);
       });
       add_nodes(count);
       if (is_off) continue;
@@ -89,32 +88,69 @@ void OffSurface::check_bridges() {
   }
 }
 
-void check_skin(const MicroFile& file, const Triangles& triangles, VolumeMaps* maps,
-                const Ratio& skin) {
-  const double distance = span_of(skin).lo;
-  uint64_t pairs = 0;
-  for (const MicroBridge& b : file.bridges) {
-    const uint64_t number = uint64_t(&b - file.bridges.data());
-    KnotBoxes boxes(maps, b.volume);
+namespace {
+
+class SkinCheck {
+ public:
+  SkinCheck(const MicroFile& file, Obstacle* surface, const Ratio& skin)
+      : surface_(*surface),
+        distance_(span_of(skin).lo),
+        most_nodes_((uint64_t(1) << 22) +
+                    256 * uint64_t(file.bridges.size() + file.sweeps.size())) {}
+  // An end with this net. each(net, use, count) calls use(points) for each box Y, until it is false, and counts them.
+  template <class Each>
+  void check(DoubleNet whole, uint64_t number, const Each& each) {
     std::vector<std::pair<DoubleNet, int>> nodes;  // with their levels
-    nodes.push_back(std::make_pair(net_of_bridge(b, file.cage[b.volume], true), 0));
+    nodes.push_back(std::make_pair(std::move(whole), 0));
     for (int visited = 1; !nodes.empty(); ++visited) {
-      require(visited <= kMostNodesOfEnd, "I4", "too many nodes of the end of bridge", number);
+      require(visited <= kMostNodesOfEnd, "I4", "too many nodes of the end of bridge or sweep",
+              number);
       const std::pair<DoubleNet, int> node = std::move(nodes.back());
       nodes.pop_back();
-      uint64_t count = 0;
-      const bool is_near = boxes.each(box_of(node.first), &count, [&](const PointHull& hull) {
-        return triangles.is_near(hull, distance, &pairs);
-      });
-      require((pairs += count) <= kMostPairsOfEnds, "I4",
-              "this checker has a limit of pairs of nodes and triangles");
+      const bool is_near = each(
+          node.first,
+          [&](const PointHull& hull) { return surface_.is_near(hull, distance_, &pairs_); },
+          &nodes_);
+      require(pairs_ <= kMostPairs && nodes_ <= most_nodes_, "I4",
+              "this checker has a limit of nodes of ends, and of their pairs");
       if (is_near) continue;
       require(node.second < kMostLevelOfEnd, "I4",
-              "the end may be farther than the skin from the model, of bridge", number);
+              "the end may be farther than the skin from the model, of bridge or sweep", number);
       nodes.resize(nodes.size() + 2);
       std::pair<DoubleNet, int>* const halves = &nodes[nodes.size() - 2];
       halve_net(node.first, size_t(node.second % 2), &halves[0].first, &halves[1].first);
       halves[0].second = halves[1].second = node.second + 1;
     }
+  }
+
+ private:
+  Obstacle& surface_;
+  const double distance_;
+  const uint64_t most_nodes_;
+  uint64_t pairs_ = 0, nodes_ = 0;
+};
+
+}  // namespace
+
+void check_skin(TileParts* parts, Obstacle* surface, const Ratio& skin) {
+  const MicroFile& file = parts->file();
+  SkinCheck check(file, surface, skin);
+  typedef std::function<bool(const PointHull&)> Use;
+  for (const MicroBridge& b : file.bridges) {
+    KnotBoxes boxes(&parts->maps(), b.volume);
+    check.check(net_of_bridge(b, file.cage[b.volume], true), uint64_t(&b - file.bridges.data()),
+                [&](const DoubleNet& net, const Use& use, uint64_t* count) {
+                  return boxes.each(box_of(net), count, use);
+                });
+  }
+  for (const MicroSweep& b : file.sweeps) {
+    const uint64_t number = uint64_t(&b - file.sweeps.data());
+    const SweepPart part(parts, b, number, "I4");
+    PointHull hull;
+    check.check(part.cap(), number, [&](const DoubleNet& cap, const Use& use, uint64_t* count) {
+      ++*count;
+      part.set_points(cap, 1, 1, &hull);
+      return use(hull);
+    });
   }
 }

@@ -137,7 +137,7 @@ std::vector<DoubleBox> boxes_of(const Model& model, const std::vector<double>& p
 Triangles::Triangles(const Model& model)
     : model_(model), points_(points_of(model)), tree_(boxes_of(model, points_)) {}
 
-bool Triangles::miss(const PointHull& hull, uint64_t* pairs) const {
+bool Triangles::misses(const PointHull& hull, uint64_t* pairs) {
   return hull.is_known && tree_.each(hull.box, [&](uint32_t face) {
     ++*pairs;
     double corner[3][3];
@@ -145,7 +145,7 @@ bool Triangles::miss(const PointHull& hull, uint64_t* pairs) const {
     return is_apart(hull, corner);
   });
 }
-bool Triangles::is_near(const PointHull& hull, double most, uint64_t* pairs) const {
+bool Triangles::is_near(const PointHull& hull, double most, uint64_t* pairs) {
   if (!hull.is_known) return false;
   DoubleBox grown = hull.box;
   for (size_t k = 0; k < 3; ++k) {

@@ -23,22 +23,23 @@ Nat natural_of(const Big& a) {
 
 class VoidCheck {
  public:
-  VoidCheck(const MicroFile& file, const Model& model, const SolidMesh& solid, VolumeMaps* maps,
-            uint64_t voids)
-      : file_(file),
-        solid_(solid),
-        maps_(*maps),
-        mesh_(model),
-        work_(100 * uint64_t(model.faces()) + 1000 * voids, "I3"),
-        bridges_(boxes_of(file)) {}
+  VoidCheck(TileParts* parts, SolidAround* solid)
+      : file_(parts->file()),
+        maps_(parts->maps()),
+        solid_(*solid),
+        depths_(solid->depths()),
+        bridges_(boxes_of(file_)),
+        sweeps_(boxes_of_sweeps(parts)) {}
 
   void check(const VoidEntry& v, uint32_t shell) {
     check_bridges(v);
+    const std::vector<Big> q = maps_.point(v.volume, v.x);
+    check_sweeps(q);
     if (v.corner == 8)
       check_empty(v);
     else
       check_corner(v);
-    check_hole(v, shell);
+    check_hole(q, shell);
   }
 
  private:
@@ -57,6 +58,17 @@ class VoidCheck {
     for (const MicroBridge& b : file.bridges) r.push_back(outer(box_of_bridge(b)));
     return r;
   }
+  static std::vector<DoubleBox> boxes_of_sweeps(TileParts* parts) {
+    std::vector<DoubleBox> r;
+    PointHull hull;
+    for (const MicroSweep& b : parts->file().sweeps) {
+      const SweepPart part(parts, b, r.size(), "I3");
+      part.set_points(part.cap(), 0, 1, &hull);
+      require(hull.is_known, "I3", "the numbers are too large, of sweep", r.size());
+      r.push_back(hull.box);
+    }
+    return r;
+  }
   static void fail(const char* why) { throw Rejected{"I3", why}; }
 
   void check_bridges(const VoidEntry& v) const {
@@ -72,6 +84,18 @@ class VoidCheck {
       require(b.volume != v.volume || !meet(box_of_bridge(b), x), "I3", "x is in the box of bridge",
               i);
       return true;
+    });
+  }
+  // Bounds of q: it may be called to be in a box by whose rounding it is.
+  void check_sweeps(const std::vector<Big>& q) const {
+    DoubleBox at;
+    for (size_t k = 0; k < 3; ++k) {
+      const Span x = span_of(q[k], q[3]);
+      at.lo[k] = x.lo, at.hi[k] = x.hi;
+    }
+    sweeps_.each(at, [](uint32_t i) -> bool {
+      require(false, "I3", "the image of x may be in the box of sweep", i);
+      return false;
     });
   }
   // The cells of a grid that hold x: of an axis one, or two if x is a break.
@@ -122,8 +146,42 @@ class VoidCheck {
     });
     if (!is_found) fail("x is in no cell that holds a tile");
   }
-  void check_hole(const VoidEntry& v, uint32_t shell) {
-    const std::vector<Big> q = maps_.point(v.volume, v.x);
+  void check_hole(const std::vector<Big>& q, uint32_t shell) {
+    const std::map<uint32_t, int64_t> around = solid_.around(q, shell);
+    require(around.count(shell) != 0, "I3", "the image of x is not in the void of shell", shell);
+    require(around.size() == depths_[shell] + 1, "I3",
+            "the image of x is in another shell, too, for the void of shell", shell);
+  }
+
+  const MicroFile& file_;
+  VolumeMaps& maps_;
+  SolidAround& solid_;
+  const std::vector<uint64_t>& depths_;
+  const BoxTree bridges_, sweeps_;
+};
+
+// The point that is asked about is not that of the page, but both lie in a convex set that I1's planes part from each
+// triangle.
+class MeshAround : public SolidAround {
+ public:
+  MeshAround(const Model& model, const SolidMesh& solid)
+      : model_(model), solid_(solid), mesh_(model), work_(0, "I3") {}
+
+  void check_shells(const std::vector<PatchOfCell>& shells, OffSurface* off) override {
+    Work work(limit(shells.size()), "I2");
+    for (const PatchOfCell& first : shells) {
+      PointHull hull;
+      off->point_near(first, &hull);
+      Coordinate c[3];
+      for (size_t k = 0; k < 3; ++k) c[k] = coordinate_of(key_of(hull.p[k]));
+      const MeshPoints::Winding w = mesh_.winding(Point(c, mesh_.lattice()), 0, false, &work);
+      require(!w.is_on && w.sum == 1, "I2",
+              "the winding number is not 1 around the point of the shell of cell", first.cell);
+    }
+  }
+  void begin_voids(uint64_t entries) override { work_ = Work(limit(entries), "I3"); }
+  const std::vector<uint64_t>& depths() override { return solid_.depth; }
+  std::map<uint32_t, int64_t> around(const std::vector<Big>& q, uint32_t shell) override {
     Coordinate c[3];
     for (size_t k = 0; k < 3; ++k) {
       Integer n;
@@ -131,47 +189,35 @@ class VoidCheck {
       c[k] = coordinate_of(n, natural_of(q[3]));
     }
     bool is_on = false;
-    const std::map<uint32_t, int64_t> around =
+    const std::map<uint32_t, int64_t> r =
         mesh_.windings(Point(c, mesh_.lattice()), 0, solid_.shell, &work_, &is_on);
     require(!is_on, "I3", "the image of x lies on the model, for the void of shell", shell);
-    require(around.count(shell) != 0, "I3", "the image of x is not in the void of shell", shell);
-    require(around.size() == solid_.depth[shell] + 1, "I3",
-            "the image of x is in another shell, too, for the void of shell", shell);
+    return r;
   }
 
-  const MicroFile& file_;
+ private:
+  uint64_t limit(uint64_t points) const { return 100 * uint64_t(model_.faces()) + 1000 * points; }
+
+  const Model& model_;
   const SolidMesh& solid_;
-  VolumeMaps& maps_;
   const MeshPoints mesh_;
   Work work_;
-  const BoxTree bridges_;
 };
 
 }  // namespace
 
-// The point that is asked about is not that of the page, but both lie in a convex set that I1's planes part from each
-// triangle.
-void check_shells(const std::vector<PatchOfCell>& shells, const Model& model, OffSurface* off) {
-  const MeshPoints mesh(model);
-  Work work(100 * uint64_t(model.faces()) + 1000 * uint64_t(shells.size()), "I2");
-  for (const PatchOfCell& first : shells) {
-    double at[3];
-    off->point_near(first, at);
-    Coordinate c[3];
-    for (size_t k = 0; k < 3; ++k) c[k] = coordinate_of(key_of(at[k]));
-    const MeshPoints::Winding w = mesh.winding(Point(c, mesh.lattice()), 0, false, &work);
-    require(!w.is_on && w.sum == 1, "I2",
-            "the winding number is not 1 around the point of the shell of cell", first.cell);
-  }
+std::unique_ptr<SolidAround> around_mesh(const Model& model, const SolidMesh& solid) {
+  return std::unique_ptr<SolidAround>(new MeshAround(model, solid));
 }
 
-void check_voids(const std::vector<VoidEntry>& voids, const MicroFile& file, const Model& model,
-                 const SolidMesh& solid, VolumeMaps* maps) {
+void check_voids(const std::vector<VoidEntry>& voids, TileParts* parts, SolidAround* solid) {
+  solid->begin_voids(voids.size());
+  const std::vector<uint64_t>& depths = solid->depths();
   std::vector<uint32_t> shells;  // of odd depth
-  for (uint32_t s = 0; s < solid.depth.size(); ++s)
-    if (solid.depth[s] % 2 == 1) shells.push_back(s);
+  for (uint32_t s = 0; s < depths.size(); ++s)
+    if (depths[s] % 2 == 1) shells.push_back(s);
   require(voids.size() == shells.size(), "I3", "the voids of the model are", shells.size());
   if (voids.empty()) return;
-  VoidCheck check(file, model, solid, maps, voids.size());
+  VoidCheck check(parts, solid);
   for (size_t i = 0; i < voids.size(); ++i) check.check(voids[i], shells[i]);
 }

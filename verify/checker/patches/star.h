@@ -159,6 +159,7 @@ struct StarBody {
   std::vector<uint32_t> symbols;  // the trees', in the body's order: 0, or 1 + a box
   std::vector<Walk> walks;
   uint64_t num_reversed = 0, num_roots = 0;
+  int64_t unit = 0;                        // E
   std::vector<std::vector<Ratio>> breaks;  // two for each surface
 };
 

@@ -201,6 +201,7 @@ StarBody read_star_body(const std::string& magic, const std::vector<Entity>& ent
   }
   const int64_t unit = r.zigzag();
   require(unit >= -kMostUnit && unit <= kMostUnit, "B1", "E is out of range");
+  out.unit = unit;
   if (out.version == 1) {
     for (uint64_t n = r.body.count(8); n > 0; --n) out.boxes.push_back(r.box_1());
   } else {

@@ -144,7 +144,7 @@ int64_t SidesAhead::crossing_number(const Curve& whole, const Mark& begin, const
       sum += int(y.back().sign() >= 0) - int(y[0].sign() >= 0);
       continue;
     }
-    if (part.halvings == kMostHalvings) {
+    if (part.halvings == kMostHalvingsOnRay) {
       is_left_over_ = true;
       continue;
     }

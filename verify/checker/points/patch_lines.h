@@ -4,7 +4,7 @@
 #pragma once
 #include "patch_grid.h"
 
-const int64_t kMostHalvings = 4096;  // of a piece in one parameter; of a part of a line
+const int64_t kMostHalvingsOnRay = 4096;  // of a piece in one parameter; of a part of a line
 
 struct PointUnits {  // of work
   uint64_t limit;    // of all points together
@@ -12,6 +12,7 @@ struct PointUnits {  // of work
 
   PointUnits(uint64_t bytes, uint64_t points);
   void begin_point() { done_on_point = 0; }
+  bool are_spent() const { return done > limit; }
   void add(uint64_t units);
 };
 

@@ -51,7 +51,7 @@ class Counter {
       if (place > 0) sides_.add(piece.at);
       if (place != 0) continue;
       const int k = axis_to_halve(piece);
-      if (piece.at.halvings[k] == kMostHalvings) {
+      if (piece.at.halvings[k] == kMostHalvingsOnRay) {
         is_left_over_ = true;
         continue;
       }
@@ -154,12 +154,18 @@ class Counter {
 
 }  // namespace
 
+bool sum_around(const std::vector<Grid>& grids, const std::vector<uint32_t>& patches,
+                const RationalPoint& point, int direction, PointUnits* units, int64_t* sum) {
+  Counter counter(grids, point, direction, units);
+  for (uint32_t patch : patches) counter.add_patch(patch);
+  return counter.sum(sum);
+}
+
 int64_t winding_number(const std::vector<Grid>& grids, const PatchBoxes& boxes,
                        const RationalPoint& point, int direction, const std::string& where,
                        PointUnits* units) {
-  Counter counter(grids, point, direction, units);
-  for (uint32_t patch : boxes.on_ray(point, direction)) counter.add_patch(patch);
   int64_t sum = 0;
-  if (!counter.sum(&sum)) throw Rejected{"P3", "a piece or a curve was halved too often" + where};
+  if (!sum_around(grids, boxes.on_ray(point, direction), point, direction, units, &sum))
+    throw Rejected{"P3", "a piece or a curve was halved too often" + where};
   return sum;
 }

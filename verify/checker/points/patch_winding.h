@@ -8,3 +8,8 @@
 int64_t winding_number(const std::vector<Grid>& grids, const PatchBoxes& boxes,
                        const RationalPoint& point, int direction, const std::string& where,
                        PointUnits* units);
+
+// Sums over some of the patches: all those of a closed surface that the ray may meet. False if a piece or a curve is
+// left over.
+bool sum_around(const std::vector<Grid>& grids, const std::vector<uint32_t>& patches,
+                const RationalPoint& point, int direction, PointUnits* units, int64_t* sum);

@@ -29,7 +29,7 @@ OF_MICROSTRUCTURES = {name: int for name in (
     "cells", "tiles", "bridges", "glued_caps", "components", "shells", "genus")}
 A_RATIO = r"[0-9]{1,100}(/(?!0+\Z)[0-9]{1,100})?"
 OF_INSIDES = {**OF_MICROSTRUCTURES, **OF_MESHES, "model_sha256": HEX64, "model_bytes": int,
-              "model_format": "|".join(MESHES), "skin": "-|" + A_RATIO}
+              "model_format": "|".join(MESHES + SPLINES), "skin": "-|" + A_RATIO}
 OF_STARS = {**OF_PATCHES, "edges": int, "vertices": int, "shells": int, "bodies": int, "genus": int, "boxes": int}
 
 CLAIMS = {claim.name: claim for claim in (

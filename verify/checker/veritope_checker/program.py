@@ -4,7 +4,7 @@
 Written from docs/certificates/ and docs/formats/spline-json.md alone.  Python 3.9 or later, standard library only: the
 file veritope_check.py and the folder veritope_checker beside it; copy both where you need them.
 
-ANSWERS is the file with the answers that a certificate of points-1 is about, M the mesh that a certificate of
+ANSWERS is the file with the answers that a certificate of points-1 is about, M the model that a certificate of
 micro-inside-1 is about; other claims have no such file.
 
 Prints `ACCEPT <claim>` (exit 0) or `REJECT <condition>: <why>` (exit 1).  Exit 2: usage; 3: out of
@@ -39,7 +39,7 @@ def _check(model_bytes, cert_bytes, skip, answers=None, files=None, second=None)
                 claim.name, "its answers file as the third argument" if claim.about_answers else "no third argument")
         if claim.about_model != (second is not None):
             return 2, "ERROR: a certificate of %s needs %s" % (
-                claim.name, "its mesh as --model" if claim.about_model else "no --model")
+                claim.name, "its model as --model" if claim.about_model else "no --model")
         try:
             module = importlib.import_module("." + claim.module, __package__)
         except ImportError as e:

@@ -6,8 +6,6 @@ from math import inf, sqrt
 
 from ..common.vectors import cross, dot, sub
 from ..points.box_tree import BoxTree, boxes_of_triangles
-from .inside_nodes import TINY, ULP
-from .inside_space import MAX_COORDINATE
 
 class Triangles:
     """greatest: the greatest coordinate, in absolute value; tree: of their boxes; met: how often a box of points met
@@ -38,31 +36,25 @@ class Triangles:
     def not_apart(self, points, triangles):
         """Those of the triangles that are not shown to be apart from the points."""
         x0, x1, y0, y1, z0, z1 = points.box
-        boxes, directions, found = self.tree.boxes, self.directions, []
-        xs, ys, zs, margin = points.x, points.y, points.z, self.margin(points)
+        boxes, directions, extent, found = self.tree.boxes, self.directions, points.extent, []
+        margin = points.slack(self.greatest)
         for f in triangles:
             a, b, c, d, e, g = boxes[f]
             if a > x1 or b < x0 or c > y1 or d < y0 or e > z1 or g < z0:
                 continue
             self.met += 1
             for x, y, z, least, greatest in directions(f):
-                values = [x * p + y * q + z * r for p, q, r in zip(xs, ys, zs)]
-                if min(values) > greatest + margin or max(values) < least - margin:
+                lo, hi = extent(x, y, z)
+                if lo > greatest + margin or hi < least - margin:
                     break
             else:
                 found.append(f)
         return found
 
-    def margin(self, points):
-        """Bounds the errors of two products of a point with a vector whose components are at most 1: three coordinates
-        with their errors, three products and sums on each side."""
-        limit = max(self.greatest, *map(abs, points.box))
-        return 3 * points.error + 64 * ULP * limit + TINY if limit < MAX_COORDINATE else inf
-
     def within(self, points, distance):
         """Is there a triangle from which no point is farther than the distance?"""
         x0, x1, y0, y1, z0, z1 = points.box
-        margin = self.margin(points)
+        margin = points.slack(self.greatest)
         grown = (x0 - distance - margin, x1 + distance + margin, y0 - distance - margin, y1 + distance + margin,
                  z0 - distance - margin, z1 + distance + margin)
         limit, count = distance - margin, 0

@@ -2,7 +2,7 @@
 """Nodes of the descents of docs/certificates/micro-inside.md: polynomial maps of a square or a cube, halved at 1/2,
 with the boxes around their coefficients, in binary64 with bounds for all errors."""
 from itertools import chain
-from math import prod
+from math import inf, prod
 
 ULP = 2.0 ** -53                                            # the relative error of one operation
 TINY = 1e-300                                               # pays for what underflows
@@ -50,3 +50,10 @@ def node_of(points, sizes):
     """The node of level 0 with these points, which are fractions from -1 to 1, the last axis the fastest."""
     assert len(points) == prod(sizes)
     return Node([[float(c) for c in column] for column in zip(*points)], tuple(sizes))
+
+def nearest(c):
+    """The binary64 number nearest to a fraction, or an infinity."""
+    try:
+        return float(c)
+    except OverflowError:
+        return inf if c > 0 else -inf

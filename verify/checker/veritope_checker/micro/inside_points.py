@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Points of a microstructure and of voids in a mesh (docs/certificates/micro-inside.md, sections 4 and 5): I2 and I3.
+"""Points of a microstructure and of voids in a model (docs/certificates/micro-inside.md, sections 4 and 5): I2 and I3.
 All numbers are exact."""
 from bisect import bisect_left, bisect_right
 from collections import namedtuple
@@ -10,6 +10,7 @@ from math import inf
 from ..common.errors import Reject
 from ..points.box_tree import BoxTree
 from ..points.points_check import Point
+from .micro_cell_map import CellMap
 from .micro_slices import are_apart, hull_of, outward
 from .micro_tile import is_missed
 
@@ -47,19 +48,46 @@ def evaluated(p, knots, t, k, line):
             line[j] = [(1 - s) * a + s * b for a, b in zip(line[j - 1], line[j])]
     return line[p]
 
-class Winding:
-    """Winding numbers of the mesh.  tree: of the boxes of its triangles in binary64."""
+class OnSurface(Exception):
+    """The point lies on the surface of the model, or it is not shown to lie off it."""
 
-    def __init__(self, mesh, tree):
-        self.mesh, self.tree, self.units = mesh, tree, 0
+class Winding:
+    """Winding numbers of a mesh.  tree: of the boxes of its triangles in binary64; shell_of: of each triangle; depths:
+    of the shells."""
+
+    def __init__(self, mesh, tree, shell_of, depths):
+        self.mesh, self.tree, self.shell_of, self.depths = mesh, tree, shell_of, depths
+        self.condition, self.left = None, 0
+
+    def begin(self, condition, num_points):
+        """From now on the work counts for this condition."""
+        self.condition = condition
+        self.left = FREE_OF_TRIANGLE * len(self.mesh.triangles) + UNITS_OF_POINT * num_points
 
     def at(self, point):
         """(Point, the triangles that it may lie on or that the ray along the first axis may stab)"""
         (x, _, *across), boxes = outward([(c, c) for c in point]), self.tree.boxes
         found = [f for f in self.tree.meeting((x, inf, *across)) if is_unit(boxes[f], *point)]
-        self.units += len(found)
+        self.left -= len(found)
+        if self.left < 0:
+            raise Reject(self.condition, "the rays pass too many triangles")
         return Point([(c.numerator, c.denominator) for c in point], self.mesh.unit, self.mesh.points,
                      self.mesh.triangles), found
+
+    def around(self, point):
+        """The winding number."""
+        at, near = self.at(point)
+        return at.winding(near, 0)
+
+    def shells_around(self, point):
+        """The shells whose winding number is not 0."""
+        at, near = self.at(point)
+        of_shells = {}
+        for f in near:
+            if at.is_on(f):
+                raise OnSurface("triangle %d" % f)
+            of_shells.setdefault(self.shell_of[f], []).append(f)
+        return {shell for shell, triangles in of_shells.items() if at.winding(triangles, 0)}
 
 def is_unit(box, x, y, z):
     """Does a triangle with this box count, for the direction 0, in section 5 of points.md?"""
@@ -69,14 +97,15 @@ def is_unit(box, x, y, z):
 # ---------------------------------------------------------------- I2
 
 def test_i2(model, tiles, glued, winding):
+    """winding: Winding, or that of inside_shells.py."""
     firsts = list(glued.first_patches())
-    most = FREE_OF_TRIANGLE * len(winding.mesh.triangles) + UNITS_OF_POINT * len(firsts)
+    winding.begin("I2", len(firsts))
     for cell, patch in firsts:
         n = bisect_right(glued.base, cell) - 1
-        at, near = winding.at(image_of_corner(model, tiles, model.grids[n], cell - glued.base[n], patch))
-        if winding.units > most:
-            raise Reject("I2", "the rays from points of shells pass too many triangles")
-        number = at.winding(near, 0)
+        try:
+            number = winding.around(image_of_corner(model, tiles, model.grids[n], cell - glued.base[n], patch))
+        except OnSurface as on:
+            raise Reject("I2", "a point of a shell may lie on %s" % on) from None
         if number != 1:
             raise Reject("I2", "the winding number around a point of the shell at patch %d of cell %d of grid %d is %d"
                          % (patch, cell - glued.base[n], n, number))
@@ -96,23 +125,23 @@ def at_cell(grid, patch, cell):
 # ---------------------------------------------------------------- I3
 
 class Voids:
-    """depths: of the shells of the mesh; shell_of: of each triangle."""
+    """sweeps: the boxes around them, as those of bridges."""
 
-    def __init__(self, model, tiles, winding, shell_of, depths):
-        self.model, self.tiles, self.winding, self.shell_of, self.depths = model, tiles, winding, shell_of, depths
-        self.visited, self.bridges = 0, {}
+    def __init__(self, model, tiles, winding):
+        self.model, self.tiles, self.winding = model, tiles, winding
+        self.visited, self.bridges, self.sweeps = 0, {}, None
 
     def test(self, entries):
-        voids = [shell for shell, depth in enumerate(self.depths) if depth % 2 == 1]
+        self.winding.begin("I3", len(entries))
+        depths = self.winding.depths
+        voids = [shell for shell, depth in enumerate(depths) if depth % 2 == 1]
         if len(voids) != len(entries):
             raise Reject("I3", "%d entries for %d voids" % (len(entries), len(voids)))
-        self.winding.units = 0
-        most = FREE_OF_TRIANGLE * len(self.shell_of) + UNITS_OF_POINT * len(voids)
         for number, (shell, entry) in enumerate(zip(voids, entries)):
             why = self.why_in_bridge(entry) or self.why_in_tile(entry) or self.why_elsewhere(entry, shell)
             if why:
                 raise Reject("I3", "entry %d: %s" % (number, why))
-            if self.winding.units > most or self.visited > FREE_VISITED + VISITED_OF_VOID * len(voids):
+            if self.visited > FREE_VISITED + VISITED_OF_VOID * len(voids):
                 raise Reject("I3", "the entries of voids take too much work")
 
     def why_in_bridge(self, entry):
@@ -123,9 +152,7 @@ class Voids:
             hulls = [hull_of(*[[(c, c) for c in point] for point in bridge.points])
                      for bridge in self.model.bridges if bridge.volume == entry.volume]
             self.bridges[entry.volume] = hulls, BoxTree(list(map(outward, hulls))) if hulls else None
-        hulls, tree = self.bridges[entry.volume]
-        at = [(c, c) for c in entry.x]
-        if hulls and not all(are_apart(hulls[n], at) for n in tree.meeting(outward(at))):
+        if is_in_one(*self.bridges[entry.volume], entry.x):
             return "the point is in the box of a bridge"
 
     def why_in_tile(self, entry):
@@ -151,16 +178,34 @@ class Voids:
         self.visited += visited[0]
 
     def why_elsewhere(self, entry, shell):
-        at, near = self.winding.at(image(self.model.cage[entry.volume], entry.x))
-        on, around = [f for f in near if at.is_on(f)], {}
-        if on:
-            return "the point is on triangle %d" % on[0]
-        for f in near:
-            around.setdefault(self.shell_of[f], []).append(f)
-        inside = {other for other, triangles in around.items() if at.winding(triangles, 0)}
-        if shell not in inside or len(inside) != self.depths[shell] + 1:
-            return "the point is inside of %d shells of the mesh%s" % (
+        point = image(self.model.cage[entry.volume], entry.x)
+        if self.model.sweeps:
+            if self.sweeps is None:
+                hulls = [box_around(self.model, self.tiles, sweep) for sweep in self.model.sweeps]
+                self.sweeps = hulls, BoxTree(list(map(outward, hulls)))
+            if is_in_one(*self.sweeps, point):
+                return "the point is in the box of a sweep"
+        try:
+            inside = self.winding.shells_around(point)
+        except OnSurface as on:
+            return "the point is on %s" % on
+        if shell not in inside or len(inside) != self.winding.depths[shell] + 1:
+            return "the point is inside of %d shells of the model%s" % (
                 len(inside), "" if shell in inside else ", and not of the void")
+
+def is_in_one(boxes, tree, point):
+    at = [(c, c) for c in point]
+    return bool(boxes) and not all(are_apart(boxes[n], at) for n in tree.meeting(outward(at)))
+
+def box_around(model, tiles, sweep):
+    """The least closed box around the points of a sweep."""
+    grid = model.grids[sweep.grid]
+    tile = tiles[grid.cells[sweep.cell] - 1]
+    cap = at_cell(grid, tile.patches[min(tile.in_wall[sweep.wall])], sweep.cell)
+    ends = [(min(column), max(column)) for column in zip(*cap)]
+    points = CellMap(grid, sweep.cell, model.cage[grid.volume]).points_on(ends)
+    boxes = [[(c, c) for c in point] for point in points]
+    return [(lo + min(0, e, f), hi + max(0, e, f)) for (lo, hi), e, f in zip(hull_of(*boxes), *sweep.axis)]
 
 def cells_at(grid, point):
     """The closed cells that contain the point."""

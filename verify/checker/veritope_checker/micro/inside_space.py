@@ -11,7 +11,7 @@ from itertools import chain, product
 from math import inf, prod
 
 from ..vmodel.vmodel_pieces import coefficients, interval, window
-from .inside_nodes import TINY, ULP
+from .inside_nodes import TINY, ULP, nearest
 
 PAD = 4 * ULP                                               # for parameters, which are sums of two numbers up to 1
 MAX_COORDINATE = 1e100                                      # beyond it nothing is claimed
@@ -20,7 +20,7 @@ class Space:
     """volume: of the cage."""
 
     def __init__(self, volume):
-        self.volume, self.spans = volume, {}
+        self.volume, self.spans, self.controls = volume, {}, None
         self.knots = [sorted(set(t)) for t in volume.knots]
         self.places = [[float(self.in_unit(axis, t)) for t in knots] for axis, knots in enumerate(self.knots)]
 
@@ -40,6 +40,23 @@ class Space:
         for span in product(*ranges):
             yield self.on_span(span, box)
 
+    def hull(self, ends):
+        """A box around the map on a range of spans for each axis: (first, last)."""
+        if self.controls is None:
+            points = [[nearest(c / w) for c in point] for *point, w in self.volume.points]
+            self.controls = [list(column) for column in zip(*points)]
+        last = [[bisect_right(t, knots[n], p, len(t) - p - 1) - 1 for n in pair]
+                for pair, knots, t, p in zip(ends, self.knots, self.volume.knots, self.volume.degrees)]
+        (i, l), (j, m), (k, n) = [(a - p, b + 1) for (a, b), p in zip(last, self.volume.degrees)]
+        _, step, plane = self.volume.strides()
+        found = []
+        for column in self.controls:
+            rows = [column[r * plane + q * step + i:r * plane + q * step + l] for r in range(k, n) for q in range(j, m)]
+            lo, hi = min(map(min, rows)), max(map(max, rows))
+            pad = 4 * ULP * max(abs(lo), abs(hi)) + TINY
+            found += [lo - pad, hi + pad] if pad < MAX_COORDINATE else [-inf, inf]
+        return tuple(found)
+
     def on_span(self, span, box):
         """The Points for the part of the box in this span: three numbers of intervals between knots."""
         if span not in self.spans:
@@ -53,6 +70,23 @@ class Points:
     def __init__(self, x, y, z, error):
         self.x, self.y, self.z, self.error = x, y, z, error
         self.box = (min(x) - error, max(x) + error, min(y) - error, max(y) + error, min(z) - error, max(z) + error)
+
+    def extent(self, x, y, z):
+        """The least and the greatest product with a vector, but for an error that slack() bounds."""
+        values = [x * p + y * q + z * r for p, q, r in zip(self.x, self.y, self.z)]
+        return min(values), max(values)
+
+    def slack(self, greatest=0.):
+        """Bounds the errors of the products of these points, and of others up to `greatest`, with a vector whose
+        components are at most 1, and off by at most a unit in the last place."""
+        limit = max(greatest, *map(abs, self.box))
+        return 3 * self.error + 64 * ULP * limit + TINY if limit < MAX_COORDINATE else inf
+
+    def moved(self, x, y, z, error):
+        """The points plus a vector, whose components are within `error`."""
+        greatest = max(abs(x), abs(y), abs(z), *map(abs, self.box))
+        return Points([c + x for c in self.x], [c + y for c in self.y], [c + z for c in self.z],
+                      self.error + error + 4 * ULP * greatest)
 
 class Span:
     def __init__(self, space, span):

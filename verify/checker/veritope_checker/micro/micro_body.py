@@ -8,7 +8,7 @@ from ..patches.star_box_read import Body
 
 MAGIC, MAX_COEFFICIENTS, MAX_BITS = b"VTMS", 1 << 18, 64
 MAX_PATCH_BITS, MAX_WORK, MAX_BRIDGE_WORK = 4096, 1 << 27, 1 << 36
-MAX_BRIDGE_BITS = 8192
+MAX_BRIDGE_BITS, BYTES_OF_BRIDGE, BYTES_OF_SWEEP = 8192, 19, 22
 
 class Star:
     """Proof 0: the tile is star-shaped about the centre; exit: a number of a patch."""
@@ -35,18 +35,32 @@ class BridgeHint:
         if any(a >= b for a, b in zip([0, *self.cuts], [*self.cuts, 1])):
             raise Reject("B1", "the slices of a bridge do not ascend from 0 to 1")
 
+class SweepHint:
+    """matrix: three rows; depth, speed: d and l."""
+
+    def __init__(self, body):
+        entries = [body.rational() for _ in range(9)]
+        self.matrix = [entries[i:i + 3] for i in (0, 3, 6)]
+        self.depth, self.speed = body.rational(), body.rational()
+        if not 0 < self.depth <= 1 or self.speed <= 0:
+            raise Reject("B1", "a depth is not above 0 and at most 1, or a speed is not positive")
+
 class Certificate:
-    """proofs: Star or Boxes, of each tile; bridges: a BridgeHint each; cage: the bytes of the last part."""
+    """proofs: Star or Boxes, of each tile; bridges: a BridgeHint each; sweeps: a SweepHint each; cage: the bytes of the
+    last part."""
 
     def __init__(self, data, model):
         body = Body(data)
-        if body.bytes(4) != MAGIC or body.count(5) != len(model.tiles) or body.count(19) != len(model.bridges):
-            raise Reject("B1", "magic, or another number of tiles or bridges")
+        bytes_each = BYTES_OF_SWEEP if model.sweeps else BYTES_OF_BRIDGE
+        if (body.bytes(4) != MAGIC or body.count(5) != len(model.tiles)
+                or body.count(bytes_each) != len(model.bridges) + len(model.sweeps)):
+            raise Reject("B1", "magic, or another number of tiles, bridges or sweeps")
         self.proofs = [(Boxes if body.u8(1) else Star)(body) for _ in model.tiles]
         for (_, patches), proof in zip(model.tiles, self.proofs):
             if type(proof) is Star and proof.exit >= len(patches):
                 raise Reject("B1", "an exit is no patch of its tile")
         self.bridges = [BridgeHint(body) for _ in model.bridges]
+        self.sweeps = [SweepHint(body) for _ in model.sweeps]
         self.cage = body.bytes(body.left())
 
     def why_too_long(self, model):
@@ -62,6 +76,7 @@ class Certificate:
             return "a centre is not inside the cube"
         hints = [c for proof in self.proofs if type(proof) is Star for c in proof.centre]
         hints += [c for bridge in self.bridges for c in (*sum(bridge.matrix, []), *bridge.cuts)]
+        hints += [c for sweep in self.sweeps for c in (*sum(sweep.matrix, []), sweep.depth, sweep.speed)]
         if any(max(abs(c.numerator), c.denominator) >> MAX_BITS for c in hints):
             return "a number of the body is too long"
         if sum(map(cost_of, model.bridges)) > MAX_BRIDGE_WORK:

@@ -10,6 +10,7 @@ from .micro_bridges import test_bridges
 from .micro_caps import Caps
 from .micro_numbers import Glued
 from .micro_read import Microstructure
+from .micro_sweeps import test_sweeps
 from .micro_tile import Tile
 from .micro_walls import Meetings, lies_in_face, test_cells
 
@@ -46,10 +47,11 @@ class Checker:
         meetings.find(self.model.cage, codes)
         self.glued = Glued(self.tiles, grids, meetings)
         test_bridges(self.model, self.cert.bridges, self.tiles, codes, self.glued, self.skip)
+        test_sweeps(self.model, self.cert.sweeps, self.tiles, self.glued, self.skip)
 
     def numbers(self):
         """Those of section 8, after test()."""
-        return {**self.glued.numbers(), "bridges": len(self.model.bridges)}
+        return {**self.glued.numbers(), "bridges": len(self.model.bridges) + len(self.model.sweeps)}
 
     def compare(self):
         """W3."""

@@ -10,10 +10,10 @@ from ..common.errors import Refused
 from ..patches.model_faces import checked
 from ..patches.model_json_volumes import volumes_of
 from ..patches.star_box_read import members, number, read_json, texts, typed, whole
-from .micro_read_bridges import a_list, check_materials, coordinate, read_bridges
+from .micro_read_bridges import a_list, check_materials, coordinate, read_bridges, read_sweeps
 
-KEYS = ("format", "model", "cage", "grids", "tiles", "cells", "walls", "bridges", "materials")
-MAY_LACK = frozenset(("bridges", "materials"))
+KEYS = ("format", "model", "cage", "grids", "tiles", "cells", "walls", "bridges", "sweeps", "materials")
+MAY_LACK = frozenset(("bridges", "sweeps", "materials"))
 MAX_VOLUMES, MAX_GRIDS, MAX_GRIDS_OF_VOLUME, MAX_TILES, MAX_PATCHES, MAX_LISTS = 65536, 65536, 4096, 15, 1024, 4
 MAX_DEGREE, MAX_CELLS, MAX_NUMBER, MAX_BITS, MAX_BREAK_BITS = 7, 1 << 27, 1 << 20, 128, 2048
 
@@ -53,7 +53,7 @@ class Patch:
         self.wall, self.degrees, self.lists = wall, degrees, lists
 
 class Microstructure:
-    """cage: volumes; grids; tiles: (range or None, patches) each; bridges. Materials are checked, not kept."""
+    """cage: volumes; grids; tiles: (range or None, patches) each; bridges; sweeps. Materials are checked, not kept."""
 
     def __init__(self, data):
         top = typed(read_json(data, integer), dict)
@@ -77,6 +77,7 @@ class Microstructure:
         for grid, lists in zip(self.grids, walls):
             grid.walls = read_walls(grid, lists)
         self.bridges = read_bridges(top.get("bridges", []), self.grids, len(self.cage))
+        self.sweeps = read_sweeps(top.get("sweeps", []), self.grids, self.bridges)
         check_materials(top.get("materials", []), self.grids)
 
 def integer(text):

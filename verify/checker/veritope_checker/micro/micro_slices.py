@@ -8,6 +8,7 @@ from math import inf, nextafter
 from ..common.errors import Reject
 from ..patches.model_powers import scaled
 from ..points.box_tree import BoxTree
+from .inside_nodes import nearest
 
 FREE_BOXES, BOXES_OF_BRIDGE, FREE_PAIRS, PAIRS_OF_BRIDGE = 1 << 20, 64, 1 << 26, 1024
 CELLS_OF_UNIT = 64                                          # cells of a row that are looked at in one go
@@ -46,12 +47,6 @@ def are_apart(box, other):
 def outward(box):
     """In binary64, rounded outward: (least x, greatest x, least y, ...)"""
     return tuple(nextafter(nearest(c), -inf if end == 0 else inf) for of_axis in box for end, c in enumerate(of_axis))
-
-def nearest(c):
-    try:
-        return float(c)
-    except OverflowError:
-        return inf if c > 0 else -inf
 
 class Slices:
     def __init__(self, model):

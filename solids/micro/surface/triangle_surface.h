@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/micro/inside/facet_planes_internal.h: the triangles of a mesh with the directions in which a certificate may
-// show that points are apart from them. Internal to solids/micro/inside.
+// solids/micro/surface/triangle_surface.h: a mesh as the surface of a solid, with the directions in which a certificate
+// may show that points are apart from its triangles.
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "predicates/vec.h"
 #include "solids/base/box_hierarchy.h"
-#include "solids/micro/inside/part_net_internal.h"
+#include "solids/micro/surface/solid_surface.h"
 #include "solids/polyhedron/triangle_mesh.h"
 
-namespace veritope::internal {
+namespace veritope {
 
-/// Immutable: threads may share it.
-class FacetPlanes {
+class TriangleSurface final : public SolidSurface {
  public:
   /// REQUIRES finite coordinates. The mesh must outlive it.
-  explicit FacetPlanes(const TriangleMesh& mesh);
+  explicit TriangleSurface(const TriangleMesh& mesh);
+  explicit TriangleSurface(TriangleMesh&&) = delete;
+
+  /// Parts are the triangles, by their numbers.
+  std::unique_ptr<SurfaceView> view() const override;
+  const Box3d& box() const override { return box_; }
 
   /// True only if all points lie strictly on one side of the triangle along one of the seven directions of the page:
   /// an axis, the triangle's normal, or a normal of a side in its plane. REQUIRES a live ScopedUpward.
@@ -27,7 +32,6 @@ class FacetPlanes {
     const auto& t = mesh_->faces[facet];
     return {mesh_->positions[t[0]], mesh_->positions[t[1]], mesh_->positions[t[2]]};
   }
-  std::uint32_t size() const { return static_cast<std::uint32_t>(boxes_.size()); }
 
   /// Calls visit(facet) for every facet whose box meets the box.
   template <typename Visit>
@@ -36,15 +40,11 @@ class FacetPlanes {
   }
 
  private:
-  /// A direction, rounded, with bounds of its products with the corners.
-  struct Slab {
-    Point3d direction{};
-    double lo = 0, hi = 0;
-  };
   const TriangleMesh* mesh_;
+  Box3d box_ = empty_box();
   std::vector<Box3d> boxes_;
   std::vector<std::array<Slab, 4>> slabs_;
   BoxHierarchy tree_;
 };
 
-}  // namespace veritope::internal
+}  // namespace veritope

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "solids/micro/compose/cell_piece_internal.h"
+#include "solids/micro/cell_piece.h"
 #include "splines/blossom_weights.h"
 #include "splines/composition_span.h"
 
-namespace veritope::internal {
+namespace veritope {
 
 void CellPiece::enter(std::size_t number, const std::array<std::size_t, 3>& cell) {
   const MicroGrid& grid = micro_->grids[number];
@@ -11,7 +11,7 @@ void CellPiece::enter(std::size_t number, const std::array<std::size_t, 3>& cell
   std::array<std::size_t, 3> spans;
   for (std::size_t a = 0; a < 3; ++a) {
     const Rational &low = grid.breaks[a][cell[a]], &high = grid.breaks[a][cell[a] + 1];
-    spans[a] = find_span(volume.axis(a), low);
+    spans[a] = internal::find_span(volume.axis(a), low);
     const Rational &begin = volume.axis(a).knots[spans[a]],
                    length = volume.axis(a).knots[spans[a] + 1] - begin;
     offset_[a] = (low - begin) / length;
@@ -23,4 +23,4 @@ void CellPiece::enter(std::size_t number, const std::array<std::size_t, 3>& cell
   map_ = bezier_piece(volume, spans);
 }
 
-}  // namespace veritope::internal
+}  // namespace veritope

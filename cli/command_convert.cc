@@ -196,7 +196,7 @@ void declare(OptionSet& set, ConvertOptions& o) {
   set.operand("OUT", take_output, "the new file; - is standard output (with --to)");
   set.text("--to", o.to,
            "a mesh: stl, stl-ascii, obj, ply, ply-ascii, ply-be, off;\nsplines: itd, g2, vjson; "
-           "vmicro; vdms; to see: vtu, obj, gltf",
+           "vmicro; vdms; vtu, obj, gltf",
            "V");
   set.length("--chord", "H", o.chord, "splines in obj, gltf: the distance of chords to aim at");
   set.flag("--float", o.single_precision, "binary PLY with binary32 coordinates");

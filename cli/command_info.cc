@@ -136,10 +136,9 @@ ExitCode run(const InfoOptions& options, StandardOutput& out) {
 
 RunCommand declare_info(OptionSet& set) {
   const auto o = std::make_shared<InfoOptions>();
-  declare_files(
-      set, o->input,
-      "STL, OBJ, PLY, OFF, ITD, G2, MFEM's MESH, G+Smo's XML,\nVJSON, VMICRO or VDMS; - is "
-      "standard input (with --format)");
+  declare_files(set, o->input,
+                "STL, OBJ, PLY, OFF, ITD, G2, MFEM's MESH, G+Smo's XML,\nVJSON, VMICRO, VDMS; - is "
+                "standard input\n(with --format)");
   declare_json(set, o->json, "write it");
   declare_jobs(set, o->input.reading.jobs);
   declare_format(set, o->input);

@@ -6,7 +6,7 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<Command, 19> kCommands = {{
+constexpr std::array<Command, 20> kCommands = {{
     {"certify", "decide whether models bound solids, and prove it", declare_certify},
     {"info", "list what is in mesh and spline files", declare_info},
     {"inspect", "list the elements of volumes and what they share", declare_inspect},
@@ -14,6 +14,7 @@ constexpr std::array<Command, 19> kCommands = {{
     {"build", "write volumes from a tree of shapes and constructors", declare_build},
     {"cage", "write a cage of volumes that guides microstructures", declare_cage},
     {"micro", "write a microstructure: tiles that lie in a solid", declare_micro},
+    {"dms", "print values of simplex-spline solids, and make them", declare_dms},
     {"intersect", "find where the surfaces of two files meet, and prove it", declare_intersect},
     {"project", "find where distances are critical, and prove it", declare_project},
     {"classify", "decide whether points are in, on or out of a solid", declare_classify},

@@ -34,6 +34,7 @@ RunCommand declare_convert(OptionSet& set);
 RunCommand declare_build(OptionSet& set);
 RunCommand declare_cage(OptionSet& set);
 RunCommand declare_micro(OptionSet& set);
+RunCommand declare_dms(OptionSet& set);
 RunCommand declare_intersect(OptionSet& set);
 RunCommand declare_project(OptionSet& set);
 RunCommand declare_classify(OptionSet& set);

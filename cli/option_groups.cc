@@ -76,7 +76,10 @@ void declare_format(OptionSet& set, InputOptions& input) {
     input.reading.format = row->id;
     return "";
   };
-  set.option("--format", "F", take, format_names("or"));
+  std::string names;  // with blanks only, so that they fit a line
+  for (const ModelFormat& known : model_formats())
+    names += (names.empty() ? "" : " ") + std::string(known.name);
+  set.option("--format", "F", take, names);
   set.rule([&input] { return wrong_files(input); });
 }
 

@@ -71,9 +71,29 @@ std::string empty_value(const CLI::App* command, const std::vector<std::string>&
   return "";
 }
 
+// "dms eval" of a verb.
+std::string full_name(const CLI::App& command) {
+  const CLI::App* const parent = command.get_parent();
+  const bool is_verb = parent != nullptr && parent->get_parent() != nullptr;
+  return (is_verb ? parent->get_name() + " " : "") + command.get_name();
+}
+
+std::vector<std::string> verb_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : command.get_subcommands({})) names.push_back(verb->get_name());
+  return names;
+}
+
+// Null: it has no such verb.
+const CLI::App* verb_of(const CLI::App& command, const std::string& name) {
+  for (const CLI::App* verb : command.get_subcommands({}))
+    if (verb->get_name() == name) return verb;
+  return nullptr;
+}
+
 // "veritope convert IN OUT"
 std::string syntax_of(const CLI::App& command) {
-  std::string out = "veritope " + command.get_name();
+  std::string out = "veritope " + full_name(command);
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_positional()) continue;
     const std::string name = option->get_name();
@@ -81,6 +101,19 @@ std::string syntax_of(const CLI::App& command) {
     out += option->get_required() ? " " + name + (has_many ? "..." : "") : " [" + name + "]";
   }
   return out;
+}
+
+// What is wrong with the word after a command that has verbs; empty if it has none.
+std::string unknown_verb(const CLI::App& command, const std::vector<std::string>& words) {
+  const std::vector<std::string> verbs = verb_names(command);
+  if (verbs.empty()) return "";
+  std::string list;
+  for (const std::string& verb : verbs) list += (list.empty() ? "" : ", ") + verb;
+  if (words.size() < 2) return command.get_name() + " needs one of: " + list;
+  if (words[1].starts_with('-') || std::find(verbs.begin(), verbs.end(), words[1]) != verbs.end())
+    return "";
+  return command.get_name() + " has no " + words[1] + ", but: " + list +
+         did_you_mean(words[1], verbs);
 }
 
 // "a, b and c"; REQUIRES a name.
@@ -188,10 +221,23 @@ void OptionSet::needs(const std::string& name, const std::string& other) {
   command_->get_option(name)->needs(command_->get_option(other));
 }
 
+OptionSet& OptionSet::verb(const std::string& name, const std::string& summary) {
+  command_->require_subcommand(1);
+  return *verbs_.emplace_back(
+      std::make_unique<OptionSet>(*command_->add_subcommand(name, summary)));
+}
+
+std::optional<std::size_t> OptionSet::chosen_verb() const {
+  for (std::size_t i = 0; i < verbs_.size(); ++i)
+    if (verbs_[i]->command_->parsed()) return i;
+  return std::nullopt;
+}
+
 std::string OptionSet::contradiction() const {
   for (const OptionRule& rule : rules_)
     if (std::string wrong = rule(); !wrong.empty()) return wrong;
-  return "";
+  const auto verb = chosen_verb();
+  return verb ? verbs_[*verb]->contradiction() : "";
 }
 
 CommandLine::CommandLine(const std::string& title, const std::string& version,
@@ -223,8 +269,13 @@ ParsedLine CommandLine::parse(int argc, const char* const* argv) {
   const CLI::App* const command = find(words.front());
   if (command == nullptr && !words.front().starts_with('-'))
     return {std::nullopt, "", unknown_command(words.front())};
-  if (std::string wrong = empty_value(command, words); !wrong.empty())
+  const CLI::App* const verb =
+      command == nullptr || words.size() < 2 ? nullptr : verb_of(*command, words[1]);
+  if (std::string wrong = empty_value(verb != nullptr ? verb : command, words); !wrong.empty())
     return {std::nullopt, "", std::move(wrong)};
+  if (command != nullptr)
+    if (std::string wrong = unknown_verb(*command, words); !wrong.empty())
+      return {std::nullopt, "", std::move(wrong)};
   try {
     app_->parse(argc, argv);
     return chosen();
@@ -255,15 +306,21 @@ std::vector<std::string> CommandLine::command_names() const {
 
 std::vector<std::string> CommandLine::commands_with(const std::string& option) const {
   std::vector<std::string> out;
-  for (const OptionSet& set : sets_)
-    if (set.command_->get_option_no_throw(option) != nullptr)
-      out.push_back(set.command_->get_name());
+  const auto add = [&](const CLI::App& command) {
+    if (command.get_option_no_throw(option) != nullptr) out.push_back(full_name(command));
+  };
+  for (const OptionSet& set : sets_) {
+    add(*set.command_);
+    for (const auto& verb : set.verbs_) add(*verb->command_);
+  }
   return out;
 }
 
 const CLI::App& CommandLine::named() const {
-  const auto commands = app_->get_subcommands();
-  return commands.empty() ? *app_ : *commands.front();
+  const CLI::App* at = app_.get();
+  for (auto below = at->get_subcommands(); !below.empty(); below = at->get_subcommands())
+    at = below.front();
+  return *at;
 }
 
 ParsedLine CommandLine::help_about(const std::vector<std::string>& commands) const {
@@ -288,7 +345,7 @@ std::string CommandLine::unknown_option() const {
   for (const std::string& argument : named().remaining()) {
     if (argument.size() < 2 || argument[0] != '-' || argument == "--") continue;
     const std::string option = argument.substr(0, argument.find('='));
-    const std::string said = named().get_name() + " has no option " + option;
+    const std::string said = full_name(named()) + " has no option " + option;
     if (const auto others = commands_with(option); !others.empty())
       return said + "; it is one of " + and_list(others);
     std::vector<std::string> names;
@@ -342,7 +399,9 @@ ParsedLine CommandLine::chosen() const {
 }
 
 std::string CommandLine::help() const {
-  return without_gap(&named() == app_.get() ? app_->help() : named().help("veritope"));
+  const auto commands =
+      app_->get_subcommands();  // the help of one is that of its verb, if it has one
+  return without_gap(commands.empty() ? app_->help() : commands.front()->help("veritope"));
 }
 
 }  // namespace veritope::cli

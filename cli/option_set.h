@@ -88,6 +88,12 @@ class OptionSet {
   /// reported.
   void rule(OptionRule rule) { rules_.push_back(std::move(rule)); }
 
+  /// One of the verbs of a command, exactly one of which must be given after its name, with options of its own:
+  /// "veritope dms eval". A command with verbs has no options. The set lives as long as this one.
+  OptionSet& verb(const std::string& name, const std::string& summary);
+  /// The number of the verb that was given, in the order of verb(); nothing before parsing.
+  std::optional<std::size_t> chosen_verb() const;
+
  private:
   friend class CommandLine;
 
@@ -99,6 +105,7 @@ class OptionSet {
 
   CLI::App* command_;
   std::vector<OptionRule> rules_;
+  std::vector<std::unique_ptr<OptionSet>> verbs_;
 };
 
 /// What the arguments ask for: a command, or a text to print (help, version), or neither: wrong usage.
@@ -129,7 +136,8 @@ class CommandLine {
   std::vector<std::string> command_names() const;
   std::vector<std::string> commands_with(const std::string& option) const;
   const CLI::App* find(const std::string& name) const;  // null: no command
-  const CLI::App& named() const;                        // the program itself before a command
+  // The command, or the verb of it; the program itself before a command.
+  const CLI::App& named() const;
   std::string unknown_command(const std::string& word) const;
   std::string unknown_option() const;
   std::string wrong_count(const std::string& said) const;

@@ -191,6 +191,25 @@ constexpr auto kReasons = std::to_array<ReasonText>({
      "An error in our code, or memory that is damaged.",
      "Please report it with the file; the message says how to reproduce it."},
 
+    {"tet-reversed", "tetrahedron that is reversed or flat",
+     "The four vertices of a tetrahedron of a simplex-spline solid's domain have a determinant "
+     "that is zero or negative. veritope dms refuses the model. Status 1.",
+     "Vertices in the other order, a mirrored domain, four vertices on one plane.",
+     "Exchange two vertices of the tetrahedron, in its control points, too, if they are separate; "
+     "remove flat ones."},
+    {"tet-face-overused", "triangle that too many tetrahedra share",
+     "Three vertices of a simplex-spline solid's domain are a face of three tetrahedra or more, or "
+     "of two that lie on one side of it. veritope dms refuses the model. Status 1.",
+     "A tetrahedron that occurs twice, a reversed one beside others, tetrahedra that overlap.",
+     "Remove or reverse one of the tetrahedra that the message names."},
+    {"cloud-degenerate", "knots whose tetrahedron is reversed or flat",
+     "Four knots of a tetrahedron's vertices, the last ones of the beta that the message names, "
+     "have a determinant that is zero or negative: condition (a) of docs/formats/dms-files.md. "
+     "veritope dms refuses the model. Status 1.",
+     "Clouds that are too large for the tetrahedra at their vertices.",
+     "Move the knots closer to their vertices; veritope dms make --clouds draws clouds that are "
+     "small enough."},
+
     {"narrow", "critical points too close together",
      "veritope project: a box of parameters became as narrow as 2^-80 and may still hold one "
      "critical point or several. "

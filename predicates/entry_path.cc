@@ -3,9 +3,9 @@
 
 namespace veritope {
 
-// The determinant is a polynomial in ε. Where the point is on the plane, the coefficients after that of ε^0 are n (g -
-// u), if the path has a target, and the coordinates of n = (b - a) x (c - a); as the point is on the plane, n (g - u) is
-// the determinant at g.
+// The determinant is a polynomial in ε. Where the point is on the plane, the coefficients after that of ε^0 are n (g
+// - u), if the path has a target, and the coordinates of n = (b - a) x (c - a); as the point is on the plane, n (g -
+// u) is the determinant at g.
 Sign orient3d_entered(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c,
                       const EntryPath& path, TierCounts* tally) {
   if (const Sign s = orient3d(a, b, c, path.start(), tally); s != Sign::kZero) return s;

@@ -89,8 +89,8 @@ void for_each_dms_basis(SimplexSplines<R, Answers>& splines, const DmsKnots& kno
   });
 }
 
-/// Adds the tetrahedron's terms of the form of degree n - 1: N_γ(u) times the sum of λ_m(u|W_γ) c(γ + e_m), |γ| = n - 1.
-/// control(β) is the control point of β, a span of as many numbers as `sums` has components.
+/// Adds the tetrahedron's terms of the form of degree n - 1: N_γ(u) times the sum of λ_m(u|W_γ) c(γ + e_m), |γ| = n -
+/// 1. control(β) is the control point of β, a span of as many numbers as `sums` has components.
 /// REQUIRES 1 <= n <= kMaxDmsDegree. @source docs/formats/dms-files.md, shared control points
 template <Ring R, typename Answers, typename Control>
 void add_dms_terms(SimplexSplines<R, Answers>& splines, const DmsKnots& knots, int n,

@@ -36,8 +36,8 @@ struct DmsDefects {
       first;  ///< the first ones: by fault, then by tetrahedron and γ, or by the face's vertices
 };
 
-/// All defects of the three kinds are counted, and the first `max_listed` are described. Of one tetrahedron the γ that
-/// have the same knots as others, since clouds are collapsed, count once, with the least numbers.
+/// All defects of the three kinds are counted, and the first `max_listed` are described. Where clouds are
+/// collapsed, the γ of a tetrahedron that have equal knots count once, with the least numbers.
 /// REQUIRES a model that validate() accepts. @cost an exact orientation for each tetrahedron and γ
 DmsDefects find_dms_defects(const DmsModel& model, std::size_t max_listed = 100);
 

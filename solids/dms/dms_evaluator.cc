@@ -70,19 +70,34 @@ const SimplexFrame<Rational>* DmsTable::frame_of(const std::array<KnotNumber, 4>
 }
 
 const SimplexFrame<Rational>* DmsTable::frame(const KnotSet& set) {
-  const std::size_t size = set.size();
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = i + 1; j < size; ++j) {
-      if (set[i] == set[j]) continue;
-      for (std::size_t k = j + 1; k < size; ++k) {
-        if (set[k] == set[j]) continue;
-        for (std::size_t l = k + 1; l < size; ++l) {
-          if (set[l] == set[k]) continue;
-          const auto* const found = frame_of({set[i], set[j], set[k], set[l]});
-          if (found != nullptr) return found;
-        }
+  const auto found = chosen_.find(set);
+  if (found != chosen_.end()) return found->second;
+  return chosen_.emplace(set, find_frame(set)).first->second;
+}
+
+const SimplexFrame<Rational>* DmsTable::find_frame(const KnotSet& set) {
+  // The different knots: the last one of each corner, then the last but one of each, and so on.
+  std::array<KnotNumber, KnotSet::kMaxSize> order{};
+  std::size_t count = 0;
+  for (std::size_t depth = 0, found = 1; found > 0; ++depth) {
+    found = 0;
+    for (std::size_t end = set.size(); end > 0;) {
+      const std::size_t corner = set[end - 1] / kKnotsOfCorner;
+      std::size_t seen = 0;
+      for (std::size_t i = end; i > 0 && set[i - 1] / kKnotsOfCorner == corner; end = --i) {
+        const bool is_repeated = i < set.size() && set[i] == set[i - 1];
+        if (!is_repeated && seen++ == depth) order[count++] = set[i - 1], ++found;
       }
     }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      for (std::size_t k = j + 1; k < count; ++k)
+        for (std::size_t l = k + 1; l < count; ++l) {
+          std::array<KnotNumber, 4> four{order[i], order[j], order[k], order[l]};
+          std::sort(four.begin(), four.end());
+          if (const auto* const frame = frame_of(four)) return frame;
+        }
   return nullptr;
 }
 
@@ -148,7 +163,7 @@ internal::DmsTable& DmsEvaluator::table(std::uint32_t tetrahedron) {
   const auto found = tables_.find(tetrahedron);
   if (found != tables_.end()) return *found->second;
   DmsKnots knots;
-  std::array<const ExactPoint3*, 4 * (kMaxDmsDegree + 1)> points{};
+  std::array<const ExactPoint3*, 4 * internal::kKnotsOfCorner> points{};
   for (std::size_t m = 0; m < 4; ++m) {
     const std::uint32_t v = model_.tetrahedra[tetrahedron][m];
     for (std::size_t i = 0; i <= kMaxDmsDegree; ++i) {
@@ -156,7 +171,7 @@ internal::DmsTable& DmsEvaluator::table(std::uint32_t tetrahedron) {
       std::size_t first = i < model_.clouds[v].size() ? i : 0;
       for (std::size_t k = 0; k < first; ++k)
         if (model_.clouds[v][k] == model_.clouds[v][first]) first = k;
-      const std::size_t number = m * (kMaxDmsDegree + 1) + first;
+      const std::size_t number = m * internal::kKnotsOfCorner + first;
       knots.number[m][i] = static_cast<KnotNumber>(number);
       points[number] = &knots_[first_knot_[v] + first];
     }

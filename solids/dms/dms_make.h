@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/dms_make.h: models over a domain: clouds of knots, and control points for which the map is the identity, or
-// nearly so.
+// solids/dms/dms_make.h: models over a domain: clouds of knots, and control points for which the map is the identity,
+// or nearly so.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -66,7 +66,7 @@ struct DmsModel {
   }
 };
 
-/// The control point of a multiset of vertices, which are ascending; nothing if there is none.
+/// The control point of a multiset of vertices, which are ascending; nothing if it does not exist.
 /// REQUIRES shared control points, as many vertices as the degree. @cost a binary search
 std::optional<std::size_t> find_control(const DmsModel& model,
                                         std::span<const std::uint32_t> vertices);

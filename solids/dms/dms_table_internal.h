@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/dms_table_internal.h: the frames of one tetrahedron's knots, and which of their tetrahedra contain a point.
+// solids/dms/dms_table_internal.h: the frames of one tetrahedron's knots, and which of their tetrahedra contain a
+// point.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -11,15 +12,20 @@
 
 namespace veritope::internal {
 
+/// Knot i of corner m has the number m kKnotsOfCorner + i, or that of an equal knot before it in the cloud.
+inline constexpr std::size_t kKnotsOfCorner = kMaxDmsDegree + 1;
+
 /// The frames of all quadruples that were asked for; they do not depend on the point.
 class DmsTable {
  public:
-  /// knots.number[m][i] is a place of `points`; those of a corner are less than those of the next.
-  DmsTable(const DmsKnots& knots, std::array<const ExactPoint3*, 4 * (kMaxDmsDegree + 1)> points)
+  /// knots.number[m][i] is a place of `points`.
+  DmsTable(const DmsKnots& knots, std::array<const ExactPoint3*, 4 * kKnotsOfCorner> points)
       : knots_(knots), points_(points) {}
 
   const DmsKnots& knots() const { return knots_; }
-  /// The first four affinely independent knots of the set in ascending order; null if there are none.
+  /// Four affinely independent knots of the set; null if the set has no such four. If the last knots of the four
+  /// corners are independent they are chosen: what the recurrence leaves of V_γ are then the V of lesser γ, which the
+  /// other γ share, and few sets that lack a corner.
   const SimplexFrame<Rational>* frame(const KnotSet& set);
   std::size_t num_frames() const { return frames_.size(); }
   std::array<const ExactPoint3*, 4> corners(const SimplexFrame<Rational>& frame) const {
@@ -29,10 +35,12 @@ class DmsTable {
 
  private:
   const SimplexFrame<Rational>* frame_of(const std::array<KnotNumber, 4>& four);
+  const SimplexFrame<Rational>* find_frame(const KnotSet& set);
 
   DmsKnots knots_;
-  std::array<const ExactPoint3*, 4 * (kMaxDmsDegree + 1)> points_;
+  std::array<const ExactPoint3*, 4 * kKnotsOfCorner> points_;
   std::unordered_map<std::uint32_t, std::optional<SimplexFrame<Rational>>> frames_;
+  std::unordered_map<KnotSet, const SimplexFrame<Rational>*, KnotSetHash> chosen_;
 };
 
 /// The answers about one point, for SimplexSplines.

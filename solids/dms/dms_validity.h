@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/dms_validity.h: what docs/formats/dms-files.md demands of the parts of a file, one by one, so that a reader
-// knows the line of what it refuses. All together: validate() of dms_model.h.
+// solids/dms/dms_validity.h: what docs/formats/dms-files.md demands of the parts of a file, one by one, so that a
+// reader knows the line of what it refuses. All together: validate() of dms_model.h.
 // @error of all functions: kBadArgument, kOverLimit, kIndexOutOfRange; the message names the part and the value
 #pragma once
 #include <cstddef>

@@ -89,7 +89,7 @@ class Usage(unittest.TestCase):
                 done = run(*([command] if command else []), "--help")
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 lines = done.stdout.rstrip("\n").split("\n")
-                self.assertLessEqual(len(lines), 25 if command else 26)  # nineteen commands
+                self.assertLessEqual(len(lines), 25 if command else 27)  # twenty commands
                 self.assertLessEqual(max(map(len, lines)), 80)
         for option in ("--json", "--certificate", "--max-defects", "--jobs", "--no-check", "--as-indexed", "--format", "--max-bytes",
                        "--max-faces", "--max-digits", "--max-exponent", "--max-cells", "--max-memory", "--quiet"):
@@ -315,7 +315,7 @@ class ExitStatus(unittest.TestCase):
                 self.assertEqual(done.returncode, 4, done)
                 self.assertRegex(done.stdout + done.stderr,
                                  r"byte 0: this is a STEP file: not read yet; the formats that are read are stl, obj, ply, off, "
-                                 r"itd, g2, mfem, gismo, vjson and vmicro\n", command)
+                                 r"itd, g2, mfem, gismo, vjson, vmicro and vdms\n", command)
 
     def test_an_unknown_file_gets_the_list_of_all_formats(self):
         with support.tempfile.TemporaryDirectory() as folder:
@@ -324,7 +324,7 @@ class ExitStatus(unittest.TestCase):
                 file.write("hello\n")
             done = run("certify", part)
             self.assertEqual(done.returncode, 4)
-            self.assertIn("says whether this is stl, obj, ply, off, itd, g2, mfem, gismo, vjson or vmicro (--format)", done.stdout)
+            self.assertIn("says whether this is stl, obj, ply, off, itd, g2, mfem, gismo, vjson, vmicro or vdms (--format)", done.stdout)
 
     def test_a_mesh_where_splines_are_needed_is_named(self):
         done = run("project", "0,0,0", VALID)

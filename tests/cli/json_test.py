@@ -75,6 +75,12 @@ class Schema(Folder):
         yield json.loads(run("chain", MODELS / "patches" / "cube.itd", "--origin", "auto", "--json", "-").stdout)
         yield json.loads(run("render", self.folder / "e.json", "-o", self.folder / "e.png", "--grid", 3, "--size", "64,64", "--json", "-").stdout)
         yield json.loads(run("render", self.folder / "t.vjson", "-o", self.folder / "t.gltf", "--explode", "1/3", "--json", "-").stdout)
+        dms = MODELS / "dms" / "tetrahedron.vdms"
+        yield json.loads(run("info", "--json", "-", dms).stdout)
+        for options in ((), ("--gradient",), ("--exact", "--gradient")):
+            yield json.loads(run("dms", "eval", dms, self.folder / "points.txt", *options, "--json", "-").stdout)
+        (self.folder / "flat.vdms").write_text(dms.read_text().replace('["0", "0", "1"]]]', '["0", "0", "0"]]]'))
+        yield json.loads(run("dms", "eval", self.folder / "flat.vdms", self.folder / "points.txt", "--json", "-").stdout)
         curves, square = self.folder / "curves.json", self.folder / "square.itd"
         square.write_text(SQUARE)
         yield json.loads(run("intersect", MODELS / "patches" / "cube.itd", square, "--json", "-", "-o", curves).stdout)

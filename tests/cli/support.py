@@ -18,7 +18,7 @@ BIN = pathlib.Path(os.environ.get("VERITOPE_BIN") or ROOT / "build" / "bin")
 DATA = pathlib.Path(os.environ.get("VERITOPE_DATA") or ROOT / ".." / "shared" / "data")
 MODELS = ROOT / "tests" / "models"
 CHECKER_PY = ROOT / "verify" / "checker" / "veritope_check.py"
-COMMANDS = ["certify", "info", "inspect", "convert", "build", "cage", "micro", "intersect", "project", "classify", "boolean", "chain", "render", "cover", "explain", "explain-certificate", "predicate", "selftest", "corpus"]
+COMMANDS = ["certify", "info", "inspect", "convert", "build", "cage", "micro", "dms", "intersect", "project", "classify", "boolean", "chain", "render", "cover", "explain", "explain-certificate", "predicate", "selftest", "corpus"]
 VALID, INVALID, UNREADABLE = MODELS / "m3_nearest_valid.off", MODELS / "m3_missing_face.off", MODELS / "unreadable_empty.off"
 
 

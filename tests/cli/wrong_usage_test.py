@@ -24,6 +24,18 @@ COMMANDS = [
     ("--", 2, "a command is needed: veritope certify FILE"),
 ]
 OPTIONS = [
+    ("dms", 2, "dms needs one of: eval, make"),
+    ("dms evla m.vdms p", 2, "dms has no evla, but: eval, make; did you mean eval?"),
+    ("dms eval --exat m.vdms p", 2, "dms eval has no option --exat; did you mean --exact?"),
+    ("dms eval m.vdms p --degree=2", 2, "dms eval has no option --degree; it is one of dms make"),
+    ("dms eval m.vdms p --gradient", 2, "--gradient requires --json"),
+    ("dms eval - p", 2, "M is a file, not standard input"),
+    ("dms eval m.vdms", 2, "veritope dms eval M POINTS takes 2 files, and there is 1"),
+    ("dms make d.vdms --degree 2", 2, "-o OUT.vdms is required"),
+    ("dms make d.vdms -o x.vdms", 2, "--degree N is required"),
+    ("dms make d.vdms -o x.vdms --degree 10", 2, "--degree: must be a number from 1 to 9, not 10"),
+    ("dms make d.vdms -o x.vdms --degree 2 --clouds none", 2, "must be collapsed, or a number R >= 0, or R:SEED, not none"),
+    ("dms make d.vdms -o x.vdms --degree 2 --control paper", 2, "must be greville or edges, not paper"),
     ("certify --quite a.off", 2, "certify has no option --quite; did you mean --quiet?"),
     ("certify --cert c a.off", 2, "did you mean --certificate?"),
     ("certify -x a.off", 2, "certify has no option -x\n"),

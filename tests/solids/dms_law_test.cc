@@ -11,15 +11,18 @@
 namespace veritope {
 namespace {
 
-TEST(DmsLaws, HoldAtRandomPointsOfRandomModels) {
+void expect_laws(std::uint64_t first, long models, int degree) {
   DmsLawCounts counts;
-  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(scaled(150)); ++seed) {
-    const std::string broken = check_dms_laws(seed, 5, 12, counts);
-    ASSERT_EQ(broken, "");
-  }
-  EXPECT_GE(counts.pairs, 1500u);
+  for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(scaled(models)); ++i)
+    ASSERT_EQ(check_dms_laws(first + i, degree, 12, counts), "");
+  EXPECT_EQ(counts.pairs, 12 * counts.models);
   EXPECT_GE(counts.special, counts.pairs / 4);
+  EXPECT_GE(counts.on_knots, counts.pairs / 4);
 }
+
+TEST(DmsLaws, HoldAtRandomPointsOfRandomModels) { expect_laws(1, 60, 3); }
+
+TEST(DmsLaws, HoldAtThousandsOfPoints) { expect_laws(1000, 200, 5); }
 
 }  // namespace
 }  // namespace veritope

@@ -113,7 +113,7 @@ TEST(DmsModel, TakesControlPointsInAnyOrder) {
   ASSERT_TRUE(set_dms_control(bare, entries).has_value());
   EXPECT_EQ(bare, good);
   EXPECT_THROW((void)set_dms_control(bare, entries), InternalError);
-  // Of two entries with one key the later one is named.
+  // The later one of two entries with one key is named.
   bare.control = {};
   for (std::size_t i = 0; i < 4; ++i) entries.keys[4 * 7 + i] = entries.keys[4 * 3 + i];
   const Status status = set_dms_control(bare, entries);

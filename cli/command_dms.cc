@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// veritope dms: its verbs, each in a file of its own.
+#include <array>
+#include <utility>
+
+#include "cli/commands.h"
+#include "cli/dms_verbs.h"
+
+namespace veritope::cli {
+
+RunCommand declare_dms(OptionSet& set) {
+  std::array<RunCommand, 2> runs{
+      declare_dms_eval(set.verb("eval", "print the values of a simplex-spline solid at points")),
+      declare_dms_make(set.verb("make", "write a model of a higher degree over a domain"))};
+  return [&set, runs = std::move(runs)](StandardOutput& out) {
+    return runs.at(set.chosen_verb().value())(out);
+  };
+}
+
+}  // namespace veritope::cli

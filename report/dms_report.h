@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// report/dms_report.h: what veritope dms eval says of points.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robust/rational.h"
+#include "solids/dms/dms_defects.h"
+
+namespace veritope::report {
+
+/// One point of the file. Values are empty outside of the domain, gradients if they were not wanted, too.
+struct DmsPointReport {
+  std::optional<std::uint32_t> tetrahedron;
+  std::vector<Rational> value;
+  std::vector<std::array<Rational, 3>> gradient;
+};
+
+struct DmsEvalReport {
+  std::string path, sha256;
+  std::uint64_t bytes = 0;
+  int degree = 0;
+  std::vector<std::string> attributes;
+  bool is_exact = false;  ///< fractions, not enclosures
+  DmsDefects defects;     ///< with them there are no points
+  std::vector<DmsPointReport> points;
+  double seconds = 0;
+};
+
+/// The schema: docs/report.schema.json, dms_eval. One line a point.
+std::string dms_eval_json(const DmsEvalReport& report);
+
+/// One line: the numbers of the value as fractions, or rounded to nearest binary64; "outside".
+std::string dms_point_text(const DmsPointReport& point, bool is_exact);
+
+}  // namespace veritope::report

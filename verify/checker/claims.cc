@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "collar/collar_claim.h"
+#include "dms/dms_claim.h"
 #include "mesh/mesh_claims.h"
 #include "micro/micro_claim.h"
 #include "patches/patch_claims.h"
@@ -90,6 +91,9 @@ const std::vector<Claim>& all_claims() {
        "subject_sha256 tool",
        " bridges cells components genus glued_caps model_bytes shells subject_bytes tiles",
        " as_indexed", check_inside_values, check_micro_inside},
+      {"dms-solid-1", "VTDM", "vdms", kStarText,
+       " bodies control_points genus leaves patches shells subject_bytes tetrahedra", "", nullptr,
+       check_dms},
   };
   return claims;
 }

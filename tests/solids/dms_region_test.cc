@@ -56,10 +56,10 @@ TEST(DmsRegion, IsPartedFromWhatLiesBehindAPlane) {
   EXPECT_TRUE(region.misses(std::array{outside}));
   EXPECT_TRUE(region.misses(std::array{corner})) << "a corner is in a face's plane";
   EXPECT_FALSE(region.misses(std::array{outside, corner, knots.number(2, 0), knots.number(3, 0)}));
-  // The far half: the knots at 0 and (-1, -1, -1) are behind a plane across no axis.
+  // Beyond the face of the other three corners, whose plane is across no axis.
   const std::vector<DmsPoint> far{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
   DmsRegion other(knots, far, {});
-  const std::array three{knots.number(0, 0), outside, corner};
+  const std::array three{corner, knots.number(2, 0), knots.number(3, 0)};
   EXPECT_FALSE(other.misses(three));
   DmsRegion with_plane(knots, far, {{{1, 1, 1}, 1}});
   EXPECT_TRUE(with_plane.misses(three));

@@ -20,7 +20,8 @@ veritope_judges_test(vmodel_invalid_cpp vmodel_invalid_cpp standard)
 veritope_judges_test(vmodel_invalid vmodel_invalid standard)
 veritope_judges_test(micro_cpp micro_cpp standard)
 veritope_judges_test(micro_inside_cpp micro_inside_cpp standard)
-set_property(TEST checker_cpp_micro_cpp checker_cpp_micro_inside_cpp APPEND PROPERTY ENVIRONMENT
+veritope_judges_test(dms_solid dms_solid standard)
+set_property(TEST checker_cpp_micro_cpp checker_cpp_micro_inside_cpp checker_cpp_dms_solid APPEND PROPERTY ENVIRONMENT
              "VERITOPE=$<TARGET_FILE:veritope>")
 veritope_judges_test(real_models mesh_real_models standard)
 foreach(kind IN ITEMS star_box star_box_turned star_box_2 star_box_2_cpp patch_invalid patch_invalid_2 collar collar_2)

@@ -22,7 +22,7 @@ struct DmsOpenHull {
   std::uint32_t tetrahedron = 0;
 };
 /// For each face of the boundary the planes that part the hulls of its knots from tetrahedra, besides those across the
-/// axes and those of the tetrahedra's faces, which are not listed; or where there is none.
+/// axes and those of the tetrahedra's faces, which are not listed; or where no plane was found.
 /// REQUIRES the complex of the model, without faces that are overused.
 std::variant<std::vector<std::vector<DmsPlane>>, DmsOpenHull> part_hulls(
     const DmsModel& model, const TetrahedralComplex& complex);

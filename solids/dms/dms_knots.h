@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/dms_knots.h: the knots of a model, numbered, and the sets V_γ of its tetrahedra (docs/formats/dms-files.md,
-// "The map"), with boxes that find those near a place.
+// solids/dms/dms_knots.h: the knots of a model, numbered, and the sets V_γ of its tetrahedra ("The map" in
+// docs/formats/dms-files.md), with boxes that find those near a place.
 #pragma once
 #include <array>
 #include <cstddef>

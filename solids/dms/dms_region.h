@@ -31,8 +31,8 @@ class DmsRegion {
             const std::vector<DmsPlane>& planes);
 
   const std::vector<DmsPoint>& corners() const { return corners_; }
-  /// Whether a plane parts the hull of the knots from the inside of the region. Of knots on one side of the plane of a
-  /// triangle, only those in that plane count.
+  /// Whether a plane parts the hull of the knots from the inside of the region. If the knots are on one side of the
+  /// plane of a triangle, only those in that plane count.
   bool misses(std::span<const std::uint32_t> knots);
   /// misses(), or the plane of the three knots does it. REQUIRES knots that are not on one line.
   bool misses_triangle(const std::array<std::uint32_t, 3>& knots);

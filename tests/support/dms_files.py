@@ -63,7 +63,7 @@ def text(degree, clouds, tetrahedra, control, attributes=()):
 
 
 def separate(data):
-    """The same solid with control points of each tetrahedron: clouds need n + 1 knots."""
+    """A file of this solid with control points of each tetrahedron: clouds need n + 1 knots."""
     file = json.loads(data)
     n, control = file["degree"], {tuple(c["at"]): c["value"] for c in file["control"]}
     file["vertices"] = [cloud if len(cloud) == 1 else cloud + cloud[-1:] for cloud in file["vertices"]]

@@ -12,7 +12,7 @@ namespace veritope {
 struct DmsFacts {
   std::uint64_t tetrahedra = 0, control_points = 0;
   int degree = 1;
-  /// Of a valid solid.
+  /// If the solid is valid.
   std::uint64_t leaves = 0, patches = 0, bodies = 0;
   std::vector<std::uint64_t> genera;  ///< of the shells
   std::optional<Interval> volume;

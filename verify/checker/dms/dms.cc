@@ -40,7 +40,6 @@ std::string check_dms(const Statement& s, std::string model_text, const Body& by
           of_domain.shells);
   require(of_domain.bodies == of_surface.bodies, "W3", "the bodies of the domain are",
           of_domain.bodies);
-  require(of_domain.genus == of_surface.genus, "W3", "the genus of the domain is",
-          of_domain.genus);
+  require(of_domain.genus == of_surface.genus, "W3", "the genus of the domain is", of_domain.genus);
   return text;
 }

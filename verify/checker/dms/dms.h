@@ -25,10 +25,10 @@ inline DmsIndex dms_raised(DmsIndex i, size_t m) {
 struct DmsFile {
   int n = 0;
   bool is_separate = false;
-  std::vector<Ratio> knots;                        // three coordinates each
-  std::vector<std::vector<uint32_t>> clouds;       // numbers of n + 1 knots each
+  std::vector<Ratio> knots;                   // three coordinates each
+  std::vector<std::vector<uint32_t>> clouds;  // numbers of n + 1 knots each
   std::vector<std::array<uint32_t, 4>> tetrahedra;
-  std::vector<Ratio> values;                       // x, y, z of the control points
+  std::vector<Ratio> values;      // x, y, z of the control points
   std::vector<uint32_t> control;  // of each tetrahedron and each place of a beta: the control point
 
   int sum() const { return is_separate ? n : n - 1; }  // N of the page
@@ -98,7 +98,7 @@ struct DmsNumbers {
 DmsNumbers check_dms_boxes(const std::vector<std::vector<Ratio>>& triangles, int degree,
                            const Body& part, uint64_t file_bytes, const char* id);
 
-void check_dms_domain(DmsModel* model);                    // D1, D2
+void check_dms_domain(DmsModel* model);  // D1, D2
 DmsNumbers check_dms_boundary(const DmsModel& model, const Body& part, uint64_t file_bytes);  // D3
 void check_dms_clouds(const DmsModel& model, const DmsBody& body, Units* units);    // E1 to E3
 void check_dms_jacobian(const DmsModel& model, const DmsBody& body, Units* units);  // J1 to J3

@@ -56,7 +56,7 @@ struct DmsSides {
   // is_strict: not all corners may lie in the plane.
   DmsSides(std::vector<const DmsPoint*> corners, const std::vector<DmsPlane>& planes,
            bool is_strict);
-  DmsMask all() const;  // the mask of no knots
+  DmsMask all() const;                                         // the mask of no knots
   const DmsMask& mask(const DmsModel& model, uint32_t point);  // kept
   // Whether the plane through three knots has all corners on one closed side.
   bool is_beside(const DmsPlane& plane) const;
@@ -69,6 +69,7 @@ struct DmsSides {
   const bool is_strict;
   const DmsPoint *least[3], *most[3];
   bool is_flat[3];  // and is_strict
-  std::vector<std::pair<DmsPlane, int>> halves;  // a plane; the side, 1 or -1, on which knots may lie
+  std::vector<std::pair<DmsPlane, int>>
+      halves;  // a plane; the side, 1 or -1, on which knots may lie
   std::unordered_map<uint32_t, DmsMask> known;
 };

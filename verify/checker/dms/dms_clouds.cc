@@ -67,8 +67,8 @@ struct DmsHulls {  // E3
     for (size_t c = 0; c < 4; ++c) corners.push_back(&model.corner(t, c));
     std::vector<DmsPlane> planes = listed;
     for (const auto& v : kDmsFace)
-      planes.push_back(DmsPlane::of(*corners[size_t(v[0])], *corners[size_t(v[1])],
-                                    *corners[size_t(v[2])]));
+      planes.push_back(
+          DmsPlane::of(*corners[size_t(v[0])], *corners[size_t(v[1])], *corners[size_t(v[2])]));
     DmsSides sides(corners, planes, false);
     for (const DmsIndex& g : hulls) {
       DmsMask mask = sides.all();

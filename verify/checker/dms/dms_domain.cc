@@ -32,7 +32,8 @@ void check_dms_domain(DmsModel* model) {
   const DmsFile& file = model->file;
   std::vector<std::pair<Face, size_t>> faces;  // the least vertex first; 4 tetrahedron + face
   for (size_t t = 0; t < file.tetrahedra.size(); ++t) {
-    const DmsPlane plane = DmsPlane::of(model->corner(t, 0), model->corner(t, 1), model->corner(t, 2));
+    const DmsPlane plane =
+        DmsPlane::of(model->corner(t, 0), model->corner(t, 1), model->corner(t, 2));
     require(plane.side(model->corner(t, 3)) > 0, "D1", "d is not positive, of tetrahedron", t);
     for (size_t f = 0; f < 4; ++f) {
       Face face;

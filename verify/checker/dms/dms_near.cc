@@ -20,8 +20,7 @@ std::vector<uint32_t> DmsNear::knots_of(const DmsTerm& term) const {
   r.erase(std::unique(r.begin(), r.end()), r.end());
   return r;
 }
-std::vector<DmsTerm> DmsNear::not_excluded(const DmsBox& box, DmsSides* sides,
-                                           Units* units) const {
+std::vector<DmsTerm> DmsNear::not_excluded(const DmsBox& box, DmsSides* sides, Units* units) const {
   std::vector<DmsTerm> r;
   const size_t n = size_t(model.file.n);
   std::vector<DmsMask> first[4];  // of the first knots of the clouds

@@ -42,9 +42,7 @@ struct DmsPlane {  // a.x + a[3] = 0
   static DmsPlane of(const Ratio* v_and_c);  // v.x = c
   // The normal is that of (b - a) x (c - a). The value at e is d(a, b, c, e) times the four denominators.
   static DmsPlane of(const DmsPoint& a, const DmsPoint& b, const DmsPoint& c);
-  bool is_zero() const {
-    return a[0].sign() == 0 && a[1].sign() == 0 && a[2].sign() == 0;
-  }
+  bool is_zero() const { return a[0].sign() == 0 && a[1].sign() == 0 && a[2].sign() == 0; }
   Big value(const DmsPoint& p) const {
     return a[0] * p.x[0] + a[1] * p.x[1] + (a[2] * p.x[2] + a[3] * p.x[3]);
   }

@@ -11,8 +11,8 @@ struct DmsReader : JsonReader {
   DmsReader(const std::string& text, size_t* begin) : JsonReader(text, begin) {}
 
   DmsFile out;
-  size_t attributes = 0, kinds = 0;  // kinds: bit 0: shared, bit 1: separate
-  std::vector<size_t> sizes;         // of clouds
+  size_t attributes = 0, kinds = 0;                 // kinds: bit 0: shared, bit 1: separate
+  std::vector<size_t> sizes;                        // of clouds
   std::map<std::vector<uint32_t>, uint32_t> at_of;  // shared control points
   std::vector<bool> is_used;
 
@@ -50,9 +50,9 @@ struct DmsReader : JsonReader {
     });
   }
   void knot() {
-    expect(items(3, "a knot has three numbers",
-                 [&](size_t) { out.knots.push_back(number()); }) == 3,
-           "a knot has three numbers");
+    expect(
+        items(3, "a knot has three numbers", [&](size_t) { out.knots.push_back(number()); }) == 3,
+        "a knot has three numbers");
   }
   void cloud() {
     const size_t n = size_t(out.n), first = out.knots.size() / 3;
@@ -88,25 +88,25 @@ struct DmsReader : JsonReader {
     std::vector<uint32_t> at_list;
     uint64_t tetrahedron = 0;
     DmsIndex beta = {{0, 0, 0, 0}};
-    object({"value", "at", "tetrahedron", "beta"},
-           [&](size_t key) {
-             seen |= size_t(1) << key;
-             if (key == 0) value();
-             if (key == 1)
-               items(n, "at has not n numbers", [&](size_t) {
-                 at_list.push_back(uint32_t(natural(out.clouds.size() - 1)));
-               });
-             if (key == 2) tetrahedron = natural(out.tetrahedra.size() - 1);
-             if (key == 3) {
-               int sum = 0;
-               const size_t size = items(4, "beta has not four numbers", [&](size_t i) {
-                 beta[i] = int(natural(n));
-                 sum += beta[i];
-               });
-               expect(size == 4 && sum == out.n, "beta has not four numbers with the sum n");
-             }
-           },
-           3);
+    object(
+        {"value", "at", "tetrahedron", "beta"},
+        [&](size_t key) {
+          seen |= size_t(1) << key;
+          if (key == 0) value();
+          if (key == 1)
+            items(n, "at has not n numbers",
+                  [&](size_t) { at_list.push_back(uint32_t(natural(out.clouds.size() - 1))); });
+          if (key == 2) tetrahedron = natural(out.tetrahedra.size() - 1);
+          if (key == 3) {
+            int sum = 0;
+            const size_t size = items(4, "beta has not four numbers", [&](size_t i) {
+              beta[i] = int(natural(n));
+              sum += beta[i];
+            });
+            expect(size == 4 && sum == out.n, "beta has not four numbers with the sum n");
+          }
+        },
+        3);
     expect(seen == 3 || seen == 13, "a control point has a wrong set of keys");
     kinds |= seen == 3 ? 1 : 2;
     expect(kinds != 3, "shared and separate control points");

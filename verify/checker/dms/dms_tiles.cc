@@ -4,14 +4,15 @@
 
 namespace {
 
-typedef std::pair<uint64_t, uint64_t> DmsStep;  // a directed edge of tiles, by the numbers of points
+typedef std::pair<uint64_t, uint64_t>
+    DmsStep;  // a directed edge of tiles, by the numbers of points
 
 struct DmsTiles {
   const DmsModel& model;
   const DmsBody& body;
   Units* units;
   std::vector<DmsPoint> added;
-  std::vector<DmsPlane> planes;                // of the faces
+  std::vector<DmsPlane> planes;                 // of the faces
   std::vector<std::pair<size_t, DmsTile>> all;  // with their faces, in order
 
   const DmsPoint& point(uint64_t number) const {
@@ -19,8 +20,7 @@ struct DmsTiles {
                                         : added[size_t(number - model.clouds.size())];
   }
   void read() {
-    for (size_t i = 0; i < body.added.size(); i += 3)
-      added.push_back(DmsPoint::of(&body.added[i]));
+    for (size_t i = 0; i < body.added.size(); i += 3) added.push_back(DmsPoint::of(&body.added[i]));
     for (size_t f = 0; f < model.faces.size(); ++f) {
       const std::array<uint32_t, 3>& v = model.faces[f].vertex;
       planes.push_back(DmsPlane::of(model.place(v[0]), model.place(v[1]), model.place(v[2])));
@@ -88,7 +88,8 @@ struct DmsTiles {
     }
     const DmsPlane own = DmsPlane::of(*corners[0], *corners[1], *corners[2]);
     std::vector<DmsPlane> upright;
-    for (size_t c = 0; c < 3; ++c) upright.push_back(upright_plane(*corners[c], *corners[(c + 1) % 3], own));
+    for (size_t c = 0; c < 3; ++c)
+      upright.push_back(upright_plane(*corners[c], *corners[(c + 1) % 3], own));
     for (size_t i = 0; i < tile.planes.size(); i += 4)
       upright.push_back(DmsPlane::of(&tile.planes[i]));
     DmsSides sides(corners, upright, true);

@@ -111,8 +111,7 @@ std::vector<Ratio> DmsPlace::value(const std::vector<DmsTerm>& terms, Units* uni
       const Big n = replaced(w, c, nullptr) * model.points[w[c]].x[3];
       if (n.sign() == 0) continue;
       const Ratio* const value = model.file.value(term.tetrahedron, dms_raised(g, c));
-      for (size_t k = 0; k < 3; ++k)
-        part[k] = dms_sum(part[k], Ratio(n * value[k].n, value[k].d));
+      for (size_t k = 0; k < 3; ++k) part[k] = dms_sum(part[k], Ratio(n * value[k].n, value[k].d));
     }
     for (size_t k = 0; k < 3; ++k)
       sum[k] = dms_sum(sum[k], dms_lowest(Ratio(part[k].n * m.n, part[k].d * m.d * all)));
@@ -132,7 +131,8 @@ DmsInterpolation::DmsInterpolation(int degree, size_t of) : n(degree), corners(o
       int left = n;
       for (size_t k = 0; k < 4; ++k)
         for (int i = 1; i <= indices[c][k]; ++i, --left) {
-          v = v * Big(indices[r][k] + 1) * Big(left);  // the multinomial coefficient is exact at the end
+          v = v * Big(indices[r][k] + 1) *
+              Big(left);  // the multinomial coefficient is exact at the end
           v = divide(v, Big(1), nullptr);
         }
       for (size_t k = 0; k < 4; ++k)

@@ -22,7 +22,8 @@ struct DmsPlace {
   struct Hash {
     size_t operator()(const Triple& t) const {
       return size_t(((t[0] * 0x9e3779b97f4a7c15u + t[1]) * 0x9e3779b97f4a7c15u + t[2]) *
-                    0x9e3779b97f4a7c15u >> 13);
+                        0x9e3779b97f4a7c15u >>
+                    13);
     }
   };
   struct Beside {  // what is known of the plane through three points
@@ -33,7 +34,7 @@ struct DmsPlace {
   const Beside& beside(const Triple& t);
   // d of the points w with u in the place of the m-th, times the denominators of the others and of u.
   Big replaced(const uint32_t* w, size_t m, int* side);
-  Big determinant(const uint32_t* w);  // d times the four denominators
+  Big determinant(const uint32_t* w);                   // d times the four denominators
   const Ratio& spline(const std::vector<uint32_t>& v);  // ascending
   Ratio computed(const std::vector<uint32_t>& v);
   Ratio constant(const uint32_t* v);

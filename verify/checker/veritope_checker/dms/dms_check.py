@@ -101,7 +101,8 @@ class Checker:
         if not leaf.is_p:
             for neighbour, gamma, _ in near:
                 if not is_definite(leaf.matrix, self.spline.derivative(neighbour, gamma)):
-                    return self.fail("J1", "the derivative %s of tetrahedron %d in a leaf of %d" % (gamma, neighbour, t))
+                    return self.fail("J1", "the derivative %s of tetrahedron %d in a leaf of %d" % (
+                        gamma, neighbour, t))
             return
         for neighbour, gamma, knots in near:
             for three in triples(knots):

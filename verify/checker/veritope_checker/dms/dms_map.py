@@ -209,7 +209,7 @@ def bernstein(index, shares):
     return value
 
 def inverse_of(rows):
-    """Of a matrix that has one."""
+    """The inverse of a regular matrix."""
     n = len(rows)
     table = [[*row, *(Fraction(i == j) for j in range(n))] for i, row in enumerate(rows)]
     for i in range(n):

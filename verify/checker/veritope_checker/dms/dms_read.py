@@ -74,7 +74,7 @@ class Spline:
             raise Refused("a cloud lacks its last knot")
 
 def integer(text):
-    """Of JSON: digits only."""
+    """The value of an integer in JSON: digits only."""
     if len(text) > 15 or not text.isdigit():
         raise Refused("no integer as the page says: %s" % text[:20])
     return int(text)

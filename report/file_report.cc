@@ -16,6 +16,8 @@ Source source_in(const SplineFile& file) {
 void forget(std::monostate&) {}
 // A mesh has no counts without its verdict.
 void forget(MeshFacts&) {}
+// Reports of solids that are not valid show what the file has.
+void forget(DmsFacts&) {}
 // Reports of microstructures that are not valid show cells and tiles alone.
 void forget(MicroFacts&) {}
 // The counts of the complex stand without a verdict.

@@ -31,8 +31,10 @@ const internal::ReportKind& internal::kind_of(const FileReport& report) {
     const auto* const facts = std::get_if<PatchFacts>(&report.facts);
     return facts != nullptr && facts->vmodel ? kVModelReports : kPatchReports;
   }
-  if (std::holds_alternative<PlainSource>(report.source))
+  if (std::holds_alternative<PlainSource>(report.source)) {
+    if (std::holds_alternative<DmsFacts>(report.facts)) return kDmsReports;
     return std::holds_alternative<MicroFacts>(report.facts) ? kMicroReports : kPlainReports;
+  }
   return kMeshReports;
 }
 

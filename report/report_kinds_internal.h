@@ -33,6 +33,7 @@ extern const ReportKind
 extern const ReportKind kPatchReports;   // patch_json.cc, patch_text.cc
 extern const ReportKind kVModelReports;  // vmodel_report.cc: volumes whose cells were looked at
 extern const ReportKind kMicroReports;   // micro_report.cc: microstructures
+extern const ReportKind kDmsReports;     // dms_solid_report.cc: simplex-spline solids
 extern const ReportKind kPlainReports;   // plain_report.cc: every other kind
 
 /// The table: a kind of files without a row here has plain reports.

@@ -73,6 +73,18 @@ Facets facets_of(const MicroFacts& facts, const FileReport& report) {
   return out;
 }
 
+Facets facets_of(const DmsFacts& facts, const FileReport& report) {
+  Facets out;
+  if (!report.defects.empty()) out.codes = report.defects.front().code;
+  if (report.verdict != Verdict::kValid) return out;
+  std::uint64_t genus = 0;
+  for (const std::uint64_t g : facts.genera) genus += g;
+  out.bodies = std::to_string(facts.bodies);
+  out.genus = std::to_string(genus);
+  if (facts.volume) out.volume = short_decimal(mid(*facts.volume));
+  return out;
+}
+
 Facets facets_of(const std::monostate&, const FileReport&) { return {}; }
 
 }  // namespace

@@ -6,6 +6,7 @@ the tests of the command line and of the installation have checked.
 usage: claims_table_test.py FOLDER      of the programs
 """
 import json
+import os
 import pathlib
 import random
 import re
@@ -17,6 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "tests" / "support"), str(ROOT / "tests" / "mutation")]
 import attacks  # noqa: E402
 import collar_liars  # noqa: E402
+import dms_liars  # noqa: E402
 import every_claim  # noqa: E402
 import fold_liars  # noqa: E402
 import invalid_liars  # noqa: E402
@@ -32,6 +34,7 @@ import vmodel_liars  # noqa: E402
 
 BIN = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 and pathlib.Path(sys.argv[1]).is_dir() else ROOT / "build" / "bin"
 CHECKERS = [(BIN / "veritope-check",), (sys.executable, "-B", ROOT / "verify" / "checker" / "veritope_check.py")]
+os.environ["VERITOPE"] = str(BIN / "veritope")             # it proves what some liars bend
 PAGES = [path.read_text() for path in sorted((ROOT / "docs" / "certificates").glob("*.md"))]
 
 
@@ -72,6 +75,7 @@ LIARS = {
     "collar-2": of_patches(collar_liars.lies_about_a_collar_2),
     "vmodel-1": of_patches(vmodel_liars.vmodel_attacks),
     "microstructure-1": of_patches(micro_liars.micro_attacks),
+    "dms-solid-1": of_patches(dms_liars.dms_attacks),
     "micro-inside-1": of_models(micro_inside_liars.inside_attacks),
     "vmodel-invalid-1": of_patches(vmodel_invalid_liars.invalid_cells_attacks),
 }

@@ -77,6 +77,9 @@ class Schema(Folder):
         yield json.loads(run("render", self.folder / "t.vjson", "-o", self.folder / "t.gltf", "--explode", "1/3", "--json", "-").stdout)
         dms = MODELS / "dms" / "tetrahedron.vdms"
         yield json.loads(run("info", "--json", "-", dms).stdout)
+        folded = self.folder / "folded.vdms"
+        folded.write_text(dms.read_text().replace('"value": ["0", "0", "1", "0"]', '"value": ["0", "0", "-5", "0"]'))
+        yield support.report(*sorted((MODELS / "dms").iterdir()), folded)
         for options in ((), ("--gradient",), ("--exact", "--gradient")):
             yield json.loads(run("dms", "eval", dms, self.folder / "points.txt", *options, "--json", "-").stdout)
         (self.folder / "flat.vdms").write_text(dms.read_text().replace('["0", "0", "1"]]]', '["0", "0", "0"]]]'))

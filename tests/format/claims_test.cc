@@ -179,6 +179,23 @@ MicroInsideBody micro_inside(std::variant<ValidBody, StarBoxBody> solid) {
   return {micro(), std::move(solid), {{7, {half, odd, half}, 8}, {0, {odd, odd, half}, 3}}};
 }
 
+DmsBody dms() {
+  const Fraction half{false, {1}, {2}}, odd{true, {3, 1}, {7, 9}};
+  const DmsPlaneProof plane{{half, odd, half}, odd}, other{{odd, odd, half}, half};
+  const std::array<Fraction, 9> matrix{half, odd, half, odd, half, odd, odd, odd, half};
+  DmsBody b;
+  b.points = {{half, odd, half}, {odd, odd, odd}};
+  b.trees = {{DmsLeafProof{false, matrix, {}}},
+             {DmsCutProof{5, {}}, DmsCutProof{0, half}, DmsLeafProof{true, matrix, {plane}},
+              DmsLeafProof{false, matrix, {plane, other}}, DmsLeafProof{true, matrix, {}}}};
+  b.planes = {{}, {plane, other}, {other}};
+  b.tiles = {{}, {{{0, 1, 300}, {}}, {{2, 1, 4}, {plane, other}}}, {}};
+  b.domain = star_2();
+  b.surface = star_2();
+  b.surface.entities.pop_back();
+  return b;
+}
+
 // A body of each kind of finding.
 std::vector<VModelInvalidBody> invalid_vmodels() {
   const CellPoint a{3, {{{0, {0, 1}}, {300, {1, 2}}, {1, {3, 7}}}}};
@@ -252,6 +269,7 @@ std::map<std::string, Example, std::less<>> examples() {
   all["vmodel-1"] = {encode(subject, of_cells, vmodel()), {vmodel()}, {}};
   all["microstructure-1"] = {
       encode(subject, MicroQuantities{}, micro()), {micro(), micro_with_sweeps()}, {}};
+  all["dms-solid-1"] = {encode(subject, DmsQuantities{}, dms()), {dms()}, {}};
   std::vector<AnyBody> findings;
   for (const VModelInvalidBody& body : invalid_vmodels()) findings.emplace_back(body);
   all["vmodel-invalid-1"] = {encode(subject, invalid_vmodels()[0]), std::move(findings), {}};

@@ -27,6 +27,7 @@ COMMANDS = {
     "vmodel-1": (PATCHES / "left_handed_nearest_valid.itd", "--orient", "auto"),
     "vmodel-invalid-1": (PATCHES / "left_handed_smallest.itd", "--orient", "keep"),
     "microstructure-1": (MODELS / "micro" / "three_cells.vmicro",),
+    "dms-solid-1": (MODELS / "dms" / "inner_clouds.vdms",),
     "micro-inside-1": (MODELS / "micro" / "three_cells.vmicro",),
 }
 

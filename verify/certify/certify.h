@@ -14,6 +14,7 @@
 #include "robust/base/work_share.h"
 #include "solids/base/finding.h"
 #include "solids/base/verdict.h"
+#include "verify/certify/dms_facts.h"
 #include "verify/certify/mesh_facts.h"
 #include "verify/certify/micro_facts.h"
 #include "verify/certify/patch_facts.h"
@@ -63,7 +64,7 @@ struct CertifyOptions {
 };
 
 /// Further facts about the model, by its kind; monostate for a kind without facts of its own.
-using Facts = std::variant<std::monostate, MeshFacts, PatchFacts, MicroFacts>;
+using Facts = std::variant<std::monostate, MeshFacts, PatchFacts, MicroFacts, DmsFacts>;
 
 /// A model that was certified in the place of the file: .vjson, or .off for polygons. The checkers do not read the
 /// file's format or shapes, or find other boundary faces of its volumes.

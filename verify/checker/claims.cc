@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "collar/collar_claim.h"
+#include "dms/dms_claim.h"
 #include "mesh/mesh_claims.h"
 #include "micro/micro_claim.h"
 #include "patches/patch_claims.h"
@@ -18,6 +19,10 @@ const char kSplines[] = "vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-f
 const char kAllFormats[] =
     "stl,obj,ply,off,vjson,itd,g2,mfem,vjson-faces,itd-faces,g2-faces,mfem-faces,chain";
 const char kVolumes[] = "vjson,itd,g2,mfem";
+const char kStarNumbers[] =
+    " bodies boxes edges flipped genus patches shells subject_bytes vertices";
+const char kCollarNumbers[] =
+    " bodies boxes cells edges flipped genus patches shells subject_bytes vertices";
 const char kStarText[] = " body_sha256 certificate claim subject_format subject_sha256 tool";
 
 void add_keys(const std::string& names, const char* kind,
@@ -49,15 +54,11 @@ const std::vector<Claim>& all_claims() {
        "subject_sha256 tool",
        " answers_bytes on points subject_bytes undecided", " as_indexed winding", check_decimals,
        check_points},
-      {"star-box-1", "VTSB", kSplines, kStarText,
-       " bodies boxes edges flipped genus patches shells subject_bytes vertices", "", nullptr,
-       check_star_box},
+      {"star-box-1", "VTSB", kSplines, kStarText, kStarNumbers, "", nullptr, check_star_box},
       {"star-box-turned-1", "VTSB", kSplines, kStarText,
        " bodies boxes edges flipped genus patches shells subject_bytes vertices winding", "",
        nullptr, check_star_box},
-      {"star-box-2", "VTS2", kSplines, kStarText,
-       " bodies boxes edges flipped genus patches shells subject_bytes vertices", "", nullptr,
-       check_star_box},
+      {"star-box-2", "VTS2", kSplines, kStarText, kStarNumbers, "", nullptr, check_star_box},
       {"star-box-turned-2", "VTS2", kSplines, kStarText,
        " bodies boxes edges flipped genus patches shells subject_bytes vertices winding", "",
        nullptr, check_star_box},
@@ -69,12 +70,8 @@ const std::vector<Claim>& all_claims() {
        " flipped patches subject_bytes", "", check_finding_2, check_patch_invalid_2},
       {"volume-folded-1", "VTVF", kVolumes, kStarText, " entity subject_bytes volumes", "", nullptr,
        check_volume_folded},
-      {"collar-1", "VTSB", kSplines, kStarText,
-       " bodies boxes cells edges flipped genus patches shells subject_bytes vertices", "", nullptr,
-       check_collar},
-      {"collar-2", "VTS2", kSplines, kStarText,
-       " bodies boxes cells edges flipped genus patches shells subject_bytes vertices", "", nullptr,
-       check_collar},
+      {"collar-1", "VTSB", kSplines, kStarText, kCollarNumbers, "", nullptr, check_collar},
+      {"collar-2", "VTS2", kSplines, kStarText, kCollarNumbers, "", nullptr, check_collar},
       {"vmodel-1", "VTVM", kVolumes, kStarText,
        " bodies boxes cells euler genus half_v_surfaces patches pieces reversed shells singular "
        "subject_bytes v_curves v_points v_surfaces",
@@ -85,6 +82,9 @@ const std::vector<Claim>& all_claims() {
       {"microstructure-1", "VTMS", "vmicro", kStarText,
        " bridges cells components genus glued_caps shells subject_bytes tiles", "", nullptr,
        check_micro},
+      {"dms-solid-1", "VTDM", "vdms", kStarText,
+       " bodies control_points genus leaves patches shells subject_bytes tetrahedra", "", nullptr,
+       check_dms},
       {"micro-inside-1", "VTIM", "vmicro",
        " body_sha256 certificate claim model_format model_sha256 reading_rule skin subject_format "
        "subject_sha256 tool",

@@ -27,6 +27,7 @@ OF_VMODELS = {name: int for name in (
 V_FINDINGS = "flat|left-handed|singular|overlap|curve-nonmanifold|point-nonmanifold"
 OF_MICROSTRUCTURES = {name: int for name in (
     "cells", "tiles", "bridges", "glued_caps", "components", "shells", "genus")}
+OF_DMS = {name: int for name in ("tetrahedra", "control_points", "leaves", "patches", "shells", "bodies", "genus")}
 A_RATIO = r"[0-9]{1,100}(/(?!0+\Z)[0-9]{1,100})?"
 OF_INSIDES = {**OF_MICROSTRUCTURES, **OF_MESHES, "model_sha256": HEX64, "model_bytes": int,
               "model_format": "|".join(MESHES + SPLINES), "skin": "-|" + A_RATIO}
@@ -51,6 +52,7 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("vmodel-1", b"VTVM", VOLUMES, OF_VMODELS, "vmodel.vmodel_check"),
     Claim("vmodel-invalid-1", b"VTVI", VOLUMES, {"finding": V_FINDINGS, "cells": int}, "vmodel.vmodel_invalid_check"),
     Claim("microstructure-1", b"VTMS", ("vmicro",), OF_MICROSTRUCTURES, "micro.micro_check"),
+    Claim("dms-solid-1", b"VTDM", ("vdms",), OF_DMS, "dms.dms_check"),
     Claim("micro-inside-1", b"VTIM", ("vmicro",), OF_INSIDES, "micro.inside_check", about_model=True),
 )}
 

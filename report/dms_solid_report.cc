@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Reports of certify about simplex-spline solids: tetrahedra, shells, and the condition of their certificate that is
+// not proved.
+#include "report/decimal_text.h"
+#include "report/patch_report_internal.h"
+#include "report/report_kinds_internal.h"
+
+namespace veritope::report {
+namespace {
+
+const DmsFacts& dms_of(const FileReport& report) { return std::get<DmsFacts>(report.facts); }
+
+void put_dms_source(const FileReport&, Json&) {}
+
+Json dms_reason_json(const Finding& f) { return {{"code", f.code}, {"message", f.message}}; }
+
+void put_dms_facts(const FileReport& report, Json& out) {
+  const DmsFacts& f = dms_of(report);
+  const bool is_valid = report.verdict == Verdict::kValid;
+  const auto if_valid = [&](auto number) { return is_valid ? Json(number) : Json(nullptr); };
+  out["counts"] = {{"tetrahedra", f.tetrahedra},
+                   {"control_points", f.control_points},
+                   {"degree", f.degree},
+                   {"leaves", if_valid(f.leaves)},
+                   {"patches", if_valid(f.patches)},
+                   {"bodies", if_valid(f.bodies)}};
+  out["reasons"] = Json::array();
+  for (const Finding& r : report.reasons) out["reasons"].push_back(dms_reason_json(r));
+  out["shells"] = Json::array();
+  if (is_valid)
+    for (const std::uint64_t genus : f.genera) out["shells"].push_back({{"genus", genus}});
+  out["volume"] = is_valid ? internal::bounds_json(f.volume) : Json(nullptr);
+}
+
+std::string dms_summary(const FileReport& report) {
+  const DmsFacts& f = dms_of(report);
+  std::uint64_t genus = 0;
+  for (const std::uint64_t g : f.genera) genus += g;
+  return counted(f.bodies, "body", "bodies") + ", genus " + std::to_string(genus) +
+         (f.volume ? ", volume about " + short_decimal(mid(*f.volume), 6) : "");
+}
+
+std::string dms_findings(const FileReport&, const TextOptions&) { return ""; }
+
+std::string dms_details(const FileReport& report, const TextOptions&) {
+  const auto& source = std::get<PlainSource>(report.source);
+  const DmsFacts& f = dms_of(report);
+  std::string out =
+      detail_line("file", source.format + ", " + counted(source.bytes, "byte", "bytes")) +
+      detail_line("solid", counted(f.tetrahedra, "tetrahedron", "tetrahedra") + ", " +
+                               counted(f.control_points, "control point", "control points") +
+                               ", degree " + std::to_string(f.degree));
+  if (report.verdict != Verdict::kValid) return out;
+  return out + detail_line("proof", counted(f.leaves, "leaf", "leaves") + ", " +
+                                        counted(f.patches, "patch", "patches") + " of the surface");
+}
+
+}  // namespace
+
+const internal::ReportKind internal::kDmsReports = {put_dms_source, put_dms_facts, false,
+                                                    dms_summary,    dms_findings,  dms_details};
+
+}  // namespace veritope::report

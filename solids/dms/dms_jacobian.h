@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/dms/dms_jacobian.h: proofs that the derivative of a solid's map has a positive determinant everywhere: trees
+// of leaves, as docs/certificates/dms-solid.md has them. Theory: docs/THEORY.md, DMS-1.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "solids/dms/dms_evaluator.h"
+#include "solids/dms/dms_knots.h"
+
+namespace veritope {
+
+/// A leaf is of kind H, where the matrix is monotone with the derivatives of all terms near it, or of kind P, where the
+/// map is one polynomial, and the matrix is monotone with the Bernstein coefficients of its derivative.
+struct DmsLeaf {
+  bool is_polynomial = false;
+  DmsMatrix matrix;
+};
+/// A node is cut at the middle of an edge: 0 to 5 for the corners 01, 02, 03, 12, 13, 23.
+struct DmsEdgeCut {
+  int edge = 0;
+};
+/// In preorder; the first child of a cut node has the middle in the place of the edge's second corner.
+using DmsLeafTree = std::vector<std::variant<DmsEdgeCut, DmsLeaf>>;
+
+/// A part of a tetrahedron where no leaf was found.
+struct DmsOpenLeaf {
+  std::uint32_t tetrahedron = 0;
+  std::array<DmsPoint, 4> corners;
+  /// A point with a determinant below 0, if one was met: then the model is no solid.
+  std::optional<DmsPoint> negative_at;
+};
+
+struct JacobianSearchOptions {
+  int max_levels = 24;            ///< at most 64
+  std::size_t max_leaves = 4096;  ///< of one tetrahedron
+};
+
+/// The trees of all tetrahedra, or where the proof failed first.
+/// REQUIRES a model without defects of its domain and its clouds (solids/dms/dms_defects.h).
+std::variant<std::vector<DmsLeafTree>, DmsOpenLeaf> prove_jacobian(
+    const DmsModel& model, const JacobianSearchOptions& options = {});
+
+}  // namespace veritope

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/dms/dms_tiles.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "solids/dms/dms_polygon_internal.h"
+
+namespace veritope {
+namespace {
+
+using internal::DmsPolygon;
+using internal::DmsSegment;
+using Edge = std::array<std::uint32_t, 2>;
+
+Edge edge_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+DmsPlane plane_of(const DmsPoint& a, const DmsPoint& b, const DmsPoint& c) {
+  DmsPlane plane{cross_product(difference(b, a), difference(c, a)), {}};
+  plane.number = dot_product(plane.vector, a);
+  return plane;
+}
+
+class BoundaryTiling {
+ public:
+  BoundaryTiling(const DmsModel& model, const TetrahedralComplex& complex, std::size_t max_tiles)
+      : model_(model), complex_(complex), max_tiles_(max_tiles), knots_(model) {}
+
+  std::variant<std::vector<std::vector<DmsTile>>, DmsOpenFace> run() {
+    for (const TetrahedronFace f : complex_.boundary()) {
+      if (!cut_face(f)) return DmsOpenFace{f};
+      collect_edge_points(f);
+    }
+    std::vector<std::vector<DmsTile>> out;
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
+      auto tiles = tiles_of(i);
+      if (!tiles) return DmsOpenFace{complex_.boundary()[i]};
+      out.push_back(std::move(*tiles));
+    }
+    return out;
+  }
+
+ private:
+  std::vector<DmsPoint> corners_of(TetrahedronFace f) const {
+    std::vector<DmsPoint> out;
+    for (const std::uint32_t v : complex_.vertices(f)) out.push_back(model_.knot(v, 0));
+    return out;
+  }
+  static DmsPoint normal_of_face(const std::vector<DmsPoint>& corners) {
+    return cross_product(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
+  }
+
+  // Appends the polygons into which triangles of knots cut a face; false if they are too many.
+  bool cut_face(TetrahedronFace f) {
+    const std::vector<DmsPoint> corners = corners_of(f);
+    const DmsPoint normal = normal_of_face(corners);
+    std::vector<DmsPolygon>& parts = polygons_.emplace_back();
+    parts.push_back(corners);
+    DmsRegion region(knots_, corners, upright_planes(corners));
+    for (const auto& three : region.find_cuts(region.supports()))
+      if (const auto segment = trace_of(three, corners[0], normal))
+        if (!cut_parts(parts, *segment, normal)) return false;
+    return true;
+  }
+  bool cut_parts(std::vector<DmsPolygon>& parts, const DmsSegment& segment,
+                 const DmsPoint& normal) const {
+    for (std::size_t i = 0, n = parts.size(); i < n; ++i)
+      if (auto halves = internal::cut_polygon(parts[i], segment, normal)) {
+        parts[i] = std::move(halves->first);
+        parts.push_back(std::move(halves->second));
+      }
+    return parts.size() <= max_tiles_;
+  }
+  // Where the triangle of three knots, not all in the plane, meets it: a segment or a point.
+  std::optional<DmsSegment> trace_of(const std::array<std::uint32_t, 3>& three,
+                                     const DmsPoint& origin, const DmsPoint& normal) const {
+    std::vector<DmsPoint> found;
+    const auto height = [&](const DmsPoint& p) {
+      return dot_product(normal, difference(p, origin));
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      const DmsPoint &a = knots_.point(three[i]), &b = knots_.point(three[(i + 1) % 3]);
+      const Rational here = height(a), next = height(b);
+      if (here.sign() == Sign::kZero) found.push_back(a);
+      if ((here * next).sign() != Sign::kNegative) continue;
+      DmsPoint p;
+      const Rational t = here / (here - next);
+      for (std::size_t c = 0; c < 3; ++c) p[c] = a[c] + t * (b[c] - a[c]);
+      found.push_back(std::move(p));
+    }
+    if (found.empty()) return std::nullopt;
+    return DmsSegment{found.front(), found.back()};
+  }
+
+  // The corners of the last face's polygons on the edges of the domain.
+  void collect_edge_points(TetrahedronFace f) {
+    const auto v = complex_.vertices(f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const DmsPoint &a = model_.knot(v[i], 0), &b = model_.knot(v[(i + 1) % 3], 0);
+      std::vector<DmsPoint>& on_edge = on_edges_[edge_of(v[i], v[(i + 1) % 3])];
+      for (const DmsPolygon& polygon : polygons_.back())
+        for (const DmsPoint& p : polygon)
+          if (internal::is_between(a, b, p)) on_edge.push_back(p);
+    }
+  }
+
+  std::optional<std::vector<DmsTile>> tiles_of(std::size_t i) {
+    const auto v = complex_.vertices(complex_.boundary()[i]);
+    std::vector<DmsPoint> points;
+    for (const DmsPolygon& polygon : polygons_[i])
+      points.insert(points.end(), polygon.begin(), polygon.end());
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& on_edge = on_edges_[edge_of(v[k], v[(k + 1) % 3])];
+      points.insert(points.end(), on_edge.begin(), on_edge.end());
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    std::vector<DmsTile> out;
+    for (const DmsPolygon& polygon : polygons_[i])
+      for (auto& corners : internal::triangles_of(internal::with_corners(polygon, points))) {
+        auto tile = proved(corners);
+        if (!tile || out.size() == max_tiles_) return std::nullopt;
+        out.push_back(std::move(*tile));
+      }
+    return out;
+  }
+
+  // With planes that part the triangles of knots, which do not meet it.
+  std::optional<DmsTile> proved(const std::array<DmsPoint, 3>& corners) {
+    DmsTile tile{corners, {}};
+    const std::vector<DmsPoint> all(corners.begin(), corners.end());
+    std::optional<std::vector<DmsSupport>> supports;
+    for (std::size_t tries = 0; tries < DmsRegion::kMaxPlanes; ++tries) {
+      std::vector<DmsPlane> planes = upright_planes(all);
+      planes.insert(planes.end(), tile.planes.begin(), tile.planes.end());
+      DmsRegion region(knots_, all, planes);
+      if (!supports) supports = region.supports();
+      const auto cut = region.find_cut(*supports);
+      if (!cut) return tile;
+      auto plane = find_plane(all, *cut);
+      if (!plane) return std::nullopt;
+      tile.planes.push_back(std::move(*plane));
+    }
+    return std::nullopt;
+  }
+  // A plane through a side of the tile and a knot of the three that parts them from the tile.
+  std::optional<DmsPlane> find_plane(const std::vector<DmsPoint>& corners,
+                                     const std::array<std::uint32_t, 3>& three) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (const std::uint32_t knot : three) {
+        DmsPlane plane = plane_of(corners[i], corners[(i + 1) % 3], knots_.point(knot));
+        const int side = side_of_plane(corners, plane);
+        const bool is_parted =
+            side != 0 && std::all_of(three.begin(), three.end(), [&](std::uint32_t k) {
+              const Rational h = dot_product(plane.vector, knots_.point(k)) - plane.number;
+              return static_cast<int>(h.sign()) * side <= 0;
+            });
+        if (is_parted) return plane;
+      }
+    return std::nullopt;
+  }
+
+  const DmsModel& model_;
+  const TetrahedralComplex& complex_;
+  const std::size_t max_tiles_;
+  DmsKnotTable knots_;
+  std::vector<std::vector<DmsPolygon>> polygons_;  // of each face
+  std::map<Edge, std::vector<DmsPoint>> on_edges_;
+};
+
+}  // namespace
+
+std::variant<std::vector<std::vector<DmsTile>>, DmsOpenFace> tile_boundary(
+    const DmsModel& model, const TetrahedralComplex& complex, std::size_t max_tiles_of_face) {
+  return BoundaryTiling(model, complex, max_tiles_of_face).run();
+}
+
+}  // namespace veritope

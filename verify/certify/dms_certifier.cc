@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verify/certify/dms_certifier.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "io/splines/spline_model.h"
+#include "solids/dms/dms_defects.h"
+#include "solids/dms/dms_hulls.h"
+#include "solids/dms/dms_jacobian.h"
+#include "solids/dms/dms_tiles.h"
+#include "solids/dms/dms_values.h"
+#include "verify/certify/certificate_entities.h"
+#include "verify/certify/certify_kinds_internal.h"
+#include "verify/certify/file_patches.h"
+#include "verify/certify/refutation_finding.h"
+#include "verify/certify/star_box_certifier.h"
+#include "verify/format/dms_certificate.h"
+
+namespace veritope {
+namespace {
+
+// B2 of the page.
+constexpr int kMaxCertifiedDegree = 6;
+constexpr std::size_t kMaxCertifiedBits = 256, kMaxPointBytes = 128;
+
+std::string text_of(const DmsPoint& p) {
+  return "(" + p[0].to_string() + ", " + p[1].to_string() + ", " + p[2].to_string() + ")";
+}
+bool is_long(const Rational& x) {
+  return std::max(x.numerator().bit_length(), x.denominator().bit_length()) > kMaxCertifiedBits;
+}
+
+// What star boxes say of triangles that bound a solid.
+struct SurfaceProof {
+  certificate::StarBoxBody boxes;
+  std::uint64_t bodies = 0;
+  std::vector<std::uint64_t> genera;  // of the shells
+  std::optional<Interval> volume;
+};
+
+class DmsCertification {
+ public:
+  DmsCertification(const DmsModel& model, const certificate::Subject& subject,
+                   const CertifyOptions& options)
+      : model_(model),
+        subject_(subject),
+        options_(options),
+        complex_(model.tetrahedra, static_cast<std::uint32_t>(model.clouds.size())),
+        facts_(dms_facts_of(model)) {}
+
+  Certified run() {
+    internal::enter(Phase::kDeciding, options_);
+    if (auto reason = decide()) {
+      out_.findings.assign(1, std::move(*reason));
+    } else {
+      internal::enter(Phase::kCertifying, options_);
+      const certificate::DmsQuantities quantities{
+          facts_.tetrahedra,
+          facts_.control_points,
+          facts_.leaves,
+          facts_.patches,
+          facts_.genera.size(),
+          facts_.bodies,
+          std::accumulate(facts_.genera.begin(), facts_.genera.end(), std::uint64_t{0})};
+      out_.certificate = certificate::encode(subject_, quantities, body_);
+      out_.claim = certificate::kDmsClaim;
+      out_.verdict = Verdict::kValid;
+    }
+    out_.facts = facts_;
+    return std::move(out_);
+  }
+
+ private:
+  static Finding reason(std::string message, const char* code = "not-certified") {
+    Finding out;
+    out.code = code;
+    out.message = std::move(message);
+    return out;
+  }
+
+  // In the order of the page; nothing if all is proved.
+  std::optional<Finding> decide() {
+    if (auto found = long_numbers()) return found;
+    if (const DmsDefects defects = find_dms_defects(model_, 1); defects.count > 0)
+      return reason(std::string(fault_name(defects.first[0].fault)) + ": " +
+                    to_string(defects.first[0]));
+    if (auto found = domain()) return found;
+    if (auto found = separate_control()) return found;
+    if (auto found = hulls()) return found;
+    if (auto found = jacobian()) return found;
+    return surface();
+  }
+
+  std::optional<Finding> long_numbers() const {
+    bool is_too_long = false;
+    for (const DmsCloud& cloud : model_.clouds)
+      for (const DmsPoint& knot : cloud)
+        is_too_long |= std::any_of(knot.begin(), knot.end(), is_long);
+    for (std::size_t i = 0; i < model_.num_control(); ++i) {
+      const auto value = model_.value(i);
+      is_too_long |= std::any_of(value.begin(), value.begin() + 3, is_long);
+    }
+    if (model_.degree > kMaxCertifiedDegree)
+      return reason("certificates speak of degrees up to " + std::to_string(kMaxCertifiedDegree),
+                    "not-covered");
+    if (is_too_long)
+      return reason("a number has more than " + std::to_string(kMaxCertifiedBits) + " bits",
+                    "not-covered");
+    return std::nullopt;
+  }
+
+  // Proves that triangles bound a solid, or says what is against it.
+  std::variant<SurfaceProof, Finding> prove_surface(std::vector<ExactTriangle> triangles,
+                                                    const std::string& what) const {
+    SplineModel model;
+    for (ExactTriangle& t : triangles)
+      model.entities.push_back({std::move(t), {}, std::nullopt, {}});
+    Result<FilePatches> patches = file_patches(model, PatchOrientation::kKeep);
+    if (!patches) return reason(what + ": " + patches.error().message, "not-covered");
+    FileDecisionOptions how;
+    if (options_.max_cells) how.search.cover.max_boxes = *options_.max_cells;
+    const FileDecision decided = decide_file_patches(*patches, how);
+    const PatchDecision& d = decided.decision;
+    if (!d.is_valid) {
+      const Finding why =
+          d.refutation ? finding_of(*patches->complex, patches->entities, *d.refutation) : *d.open;
+      return reason(what + ": " + why.code + ": " + why.message);
+    }
+    if (!fits_certificate(*decided.forest, d.cover))
+      return reason(what + ": the star boxes have coordinates too long for a certificate",
+                    "not-covered");
+    SurfaceProof out;
+    out.boxes = make_star_box_body(*decided.forest, d.cover, d.walks, patches->entities, 0);
+    out.boxes.version = 2;
+    out.bodies = d.bodies;
+    for (const PatchShellFacts& s : d.shells)
+      out.genera.push_back(static_cast<std::uint64_t>(s.genus));
+    out.volume = d.volume;
+    return out;
+  }
+  static ExactTriangle triangle_of(int degree, std::span<const DmsPoint> coefficients) {
+    ExactTriangle out(degree, 3, false);
+    for (int c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < coefficients.size(); ++i)
+        out.component(c)[i] = coefficients[i][static_cast<std::size_t>(c)];
+    return out;
+  }
+  std::vector<DmsPoint> corners_of_face(TetrahedronFace f) const {
+    std::vector<DmsPoint> out;
+    for (const std::uint32_t v : complex_.vertices(f)) out.push_back(model_.knot(v, 0));
+    return out;
+  }
+
+  std::optional<Finding> domain() {
+    std::vector<ExactTriangle> triangles;
+    for (const TetrahedronFace f : complex_.boundary())
+      triangles.push_back(triangle_of(1, corners_of_face(f)));
+    auto proved = prove_surface(std::move(triangles), "the boundary of the domain");
+    if (auto* const finding = std::get_if<Finding>(&proved)) return std::move(*finding);
+    domain_ = std::get<SurfaceProof>(std::move(proved));
+    return std::nullopt;
+  }
+
+  std::optional<Finding> separate_control() const {
+    if (!model_.control.is_separate) return std::nullopt;
+    const auto differs = find_disagreeing_control(model_);
+    if (!differs) return std::nullopt;
+    return reason("E1: control points of tetrahedron " + std::to_string(*differs) +
+                  " differ from those of others at the same vertices");
+  }
+
+  std::optional<Finding> hulls() {
+    auto planes = part_hulls(model_, complex_);
+    if (const auto* const open = std::get_if<DmsOpenHull>(&planes)) {
+      const auto v = complex_.vertices(open->face);
+      return reason("E3: knots of the face (" + std::to_string(v[0]) + ", " + std::to_string(v[1]) +
+                    ", " + std::to_string(v[2]) + ") may lie inside of tetrahedron " +
+                    std::to_string(open->tetrahedron));
+    }
+    for (const auto& of_face : std::get<0>(planes)) body_.planes.push_back(proofs_of(of_face));
+    return std::nullopt;
+  }
+  static std::vector<certificate::DmsPlaneProof> proofs_of(const std::vector<DmsPlane>& planes) {
+    std::vector<certificate::DmsPlaneProof> out;
+    for (const DmsPlane& plane : planes) {
+      auto& proof = out.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) proof.vector[c] = to_fraction(plane.vector[c]);
+      proof.number = to_fraction(plane.number);
+    }
+    return out;
+  }
+
+  std::optional<Finding> jacobian() {
+    auto trees = prove_jacobian(model_);
+    if (const auto* const open = std::get_if<DmsOpenLeaf>(&trees)) {
+      std::string text = "J: ";
+      if (open->negative_at)
+        text += "the determinant of the derivative is below 0 at " + text_of(*open->negative_at) +
+                ", in";
+      else
+        text += "the determinant of the derivative is not proved to be above 0 in";
+      text += " tetrahedron " + std::to_string(open->tetrahedron) + ", with the corners ";
+      for (const DmsPoint& p : open->corners) text += text_of(p);
+      return reason(std::move(text));
+    }
+    for (const DmsLeafTree& tree : std::get<0>(trees)) {
+      auto& proof = body_.trees.emplace_back();
+      for (const auto& node : tree) {
+        if (const auto* const cut = std::get_if<DmsEdgeCut>(&node)) {
+          proof.emplace_back(
+              certificate::DmsCutProof{static_cast<std::uint8_t>(cut->edge), std::nullopt});
+          continue;
+        }
+        const DmsLeaf& leaf = std::get<DmsLeaf>(node);
+        certificate::DmsLeafProof out;
+        out.is_polynomial = leaf.is_polynomial;
+        for (std::size_t i = 0; i < 9; ++i) out.matrix[i] = to_fraction(leaf.matrix[i]);
+        proof.emplace_back(std::move(out));
+        ++facts_.leaves;
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Finding> surface() {
+    auto tiled = tile_boundary(model_, complex_);
+    if (const auto* const open = std::get_if<DmsOpenFace>(&tiled)) {
+      const auto v = complex_.vertices(open->face);
+      return reason("T2: the face (" + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
+                    std::to_string(v[2]) +
+                    ") of the boundary is not cut into parts that no triangle of knots meets");
+    }
+    DmsEvaluator evaluator(model_);
+    const SimplexInterpolation interpolation(model_.degree, 3);
+    std::vector<ExactTriangle> triangles;
+    for (const auto& tiles : std::get<0>(tiled)) {
+      add_tiles(tiles);
+      for (const DmsTile& tile : tiles) {
+        const auto values = values_at(evaluator, interpolation.points(tile.corners));
+        if (!values) return reason("T3: a point of the boundary is in no tetrahedron");
+        triangles.push_back(triangle_of(model_.degree, interpolation.coefficients(*values)));
+      }
+    }
+    if (has_long_points()) return reason("B2: corners of tiles have too many bits", "not-covered");
+    facts_.patches = triangles.size();
+    auto proved = prove_surface(std::move(triangles), "the surface of the solid");
+    if (auto* const finding = std::get_if<Finding>(&proved)) return std::move(*finding);
+    auto& surface = std::get<SurfaceProof>(proved);
+    if (surface.bodies != domain_.bodies || surface.genera != domain_.genera)
+      return reason("W3: the surface of the solid is not that of the domain");
+    facts_.bodies = surface.bodies;
+    facts_.genera = std::move(surface.genera);
+    facts_.volume = surface.volume;
+    body_.domain = std::move(domain_.boxes);
+    body_.surface = std::move(surface.boxes);
+    return std::nullopt;
+  }
+
+  // A face that is its only tile needs no list.
+  void add_tiles(const std::vector<DmsTile>& tiles) {
+    auto& out = body_.tiles.emplace_back();
+    if (tiles.size() == 1 && tiles[0].planes.empty()) return;
+    for (const DmsTile& tile : tiles) {
+      auto& proof = out.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) proof.points[i] = number_of(tile.corners[i]);
+      proof.planes = proofs_of(tile.planes);
+    }
+  }
+  std::uint64_t number_of(const DmsPoint& p) {
+    if (numbers_.empty())
+      for (const TetrahedronFace f : complex_.boundary())
+        for (const std::uint32_t v : complex_.vertices(f)) numbers_.emplace(model_.knot(v, 0), v);
+    const auto [at, is_new] = numbers_.emplace(p, model_.clouds.size() + body_.points.size());
+    if (is_new) {
+      auto& out = body_.points.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) out[c] = to_fraction(p[c]);
+    }
+    return at->second;
+  }
+  bool has_long_points() const {
+    const auto is_long = [](const certificate::Fraction& x) {
+      return std::max(x.numerator.size(), x.denominator.size()) > kMaxPointBytes;
+    };
+    return std::any_of(body_.points.begin(), body_.points.end(),
+                       [&](const auto& p) { return std::any_of(p.begin(), p.end(), is_long); });
+  }
+
+  const DmsModel& model_;
+  const certificate::Subject& subject_;
+  const CertifyOptions& options_;
+  TetrahedralComplex complex_;
+  DmsFacts facts_;
+  Certified out_;
+  SurfaceProof domain_;
+  certificate::DmsBody body_;
+  std::map<DmsPoint, std::uint64_t> numbers_;  // of points of tiles
+};
+
+}  // namespace
+
+DmsFacts dms_facts_of(const DmsModel& model) {
+  DmsFacts out;
+  out.tetrahedra = model.tetrahedra.size();
+  out.control_points = model.num_control();
+  out.degree = model.degree;
+  return out;
+}
+
+Certified certify_dms(const DmsModel& model, const certificate::Subject& subject,
+                      const CertifyOptions& options) {
+  return DmsCertification(model, subject, options).run();
+}
+
+}  // namespace veritope

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// verify/certify/dms_certifier.h: certify for simplex-spline solids. Theory: docs/THEORY.md, DMS-1. The page:
+// docs/certificates/dms-solid.md. Design: docs/design/0091-certified-simplex-spline-solids.md.
+#pragma once
+#include "solids/dms/dms_model.h"
+#include "verify/certify/certify.h"
+
+namespace veritope {
+
+/// What is known without a proof.
+DmsFacts dms_facts_of(const DmsModel& model);
+
+/// VALID with its certificate (dms-solid-1), or UNDECIDED: "not-certified", with the condition of the page that is not
+/// proved to hold and its place; or "not-covered".
+/// @param subject  the bytes of the file
+/// REQUIRES a model that validate() accepts.
+/// @cost  an exact derivative for each tetrahedron and term; that of certify for the boundary
+Certified certify_dms(const DmsModel& model, const certificate::Subject& subject,
+                      const CertifyOptions& options);
+
+}  // namespace veritope

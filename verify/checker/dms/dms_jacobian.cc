@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0 OR MIT
+// dms_jacobian.cc: J1 to J3 of docs/certificates/dms-solid.md.
+#include "dms_near.h"
+
+namespace {
+
+const size_t kKeptMatrices = 1 << 15;
+const int kDmsEdge[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+typedef std::array<DmsPoint, 4> Corners;
+
+DmsPoint point_between(const DmsPoint& a, const DmsPoint& b, const Ratio& t) {
+  const Big f = (t.d - t.n) * b.x[3], g = t.n * a.x[3];
+  Big x[4];
+  for (int k = 0; k < 3; ++k) x[k] = f * a.x[k] + g * b.x[k];
+  x[3] = t.d * a.x[3] * b.x[3];
+  return DmsPoint::of(x);
+}
+
+struct DmsJacobian {
+  DmsJacobian(const DmsModel& m, const DmsNear& n, Units* u) : model(m), near(n), units(u) {}
+
+  const DmsModel& model;
+  const DmsNear& near;
+  Units* units;
+  std::unordered_map<uint64_t, std::vector<Big>> matrices;  // G, times a positive number
+  std::unique_ptr<DmsInterpolation> interpolation;
+  uint64_t leaf_number = 0;
+
+  const std::vector<Big>& matrix(const DmsTerm& term) {
+    const uint64_t key = uint64_t(term.tetrahedron) * 64 + dms_place(term.gamma, model.file.n - 1);
+    const auto found = matrices.find(key);
+    if (found != matrices.end()) return found->second;
+    if (matrices.size() >= kKeptMatrices) matrices.clear();
+    const DmsPoint* w[4];
+    const Ratio* c[4];
+    for (size_t m = 0; m < 4; ++m) {
+      w[m] = &model.points[model.knot(term.tetrahedron, m, term.gamma[m])];
+      c[m] = model.file.value(term.tetrahedron, dms_raised(term.gamma, m));
+    }
+    return matrices[key] = dms_linear_part(w, c);
+  }
+
+  void check_tree(size_t t, const DmsTree& tree) {
+    Corners root;
+    for (size_t c = 0; c < 4; ++c) root[c] = model.corner(t, c);
+    std::vector<DmsPlane> planes;  // of the faces of the root
+    for (const auto& f : kDmsFace)
+      planes.push_back(DmsPlane::of(root[size_t(f[0])], root[size_t(f[1])], root[size_t(f[2])]));
+    std::vector<Corners> open = {root};
+    size_t cut = 0, leaf = 0;
+    for (uint8_t symbol : tree.symbols) {
+      const Corners tau = open.back();
+      open.pop_back();
+      if (symbol >= 12) {
+        check_leaf(tau, planes, tree.leaves[leaf++]);
+        continue;
+      }
+      const Ratio at = symbol < 6 ? Ratio(Big(1), Big(2)) : tree.cuts[cut++];
+      const size_t i = size_t(kDmsEdge[symbol % 6][0]), j = size_t(kDmsEdge[symbol % 6][1]);
+      const DmsPoint middle = point_between(tau[i], tau[j], at);
+      Corners first = tau, second = tau;
+      first[j] = middle;
+      second[i] = middle;
+      open.push_back(second);
+      open.push_back(first);
+    }
+  }
+  void check_leaf(const Corners& tau, std::vector<DmsPlane> planes, const DmsLeaf& leaf) {
+    const std::vector<Big> r = dms_integers(leaf.r, nullptr);
+    require(dms_determinant(r).sign() > 0, "J3", "det R is not positive, in leaf", leaf_number);
+    std::vector<const DmsPoint*> corners;
+    DmsBox box;
+    for (const DmsPoint& p : tau) {
+      corners.push_back(&p);
+      box.add(p);
+    }
+    for (const auto& f : kDmsFace)
+      planes.push_back(DmsPlane::of(tau[size_t(f[0])], tau[size_t(f[1])], tau[size_t(f[2])]));
+    for (size_t i = 0; i < leaf.planes.size(); i += 4)
+      planes.push_back(DmsPlane::of(&leaf.planes[i]));
+    DmsSides sides(corners, planes, false);
+    units->id = leaf.is_polynomial ? "J2" : "J1";
+    const std::vector<DmsTerm> terms = near.not_excluded(box, &sides, units);
+    if (leaf.is_polynomial) {
+      check_cuts(terms, &sides);
+      check_polynomial(corners.data(), r, terms);
+    } else {
+      for (const DmsTerm& term : terms)
+        require(dms_is_positive(r, matrix(term)), "J1", "R G is not positive, in leaf",
+                leaf_number);
+    }
+    ++leaf_number;
+  }
+  void check_cuts(const std::vector<DmsTerm>& terms, DmsSides* sides) {
+    near.each_cut(terms, units, [&](const std::array<uint32_t, 3>& knots) {
+      DmsMask mask = sides->all();
+      for (uint32_t k : knots) mask &= sides->mask(model, k);
+      if (mask.any()) return;
+      const DmsPlane plane = near.plane_of(knots);
+      require(plane.is_zero() || sides->is_beside(plane), "J2", "a cut is in the way, in leaf",
+              leaf_number);
+    });
+  }
+  void check_polynomial(const DmsPoint* const* corners, const std::vector<Big>& r,
+                        const std::vector<DmsTerm>& terms) {
+    const int n = model.file.n;
+    if (!interpolation) interpolation.reset(new DmsInterpolation(n, 4));
+    std::vector<Ratio> values;
+    for (const DmsIndex& i : interpolation->indices) {
+      const DmsPoint u = interpolation->point(i, corners);
+      const std::vector<Ratio> v = DmsPlace(model, u, nullptr).value(terms, units);
+      values.insert(values.end(), v.begin(), v.end());
+    }
+    const std::vector<Ratio> b = interpolation->coefficients(values);
+    for (const DmsIndex& g : model.gammas) {
+      const Ratio* image[4];
+      for (size_t m = 0; m < 4; ++m) image[m] = &b[3 * dms_place(dms_raised(g, m), n)];
+      require(dms_is_positive(r, dms_linear_part(corners, image)), "J2",
+              "R J is not positive, in leaf", leaf_number);
+    }
+  }
+};
+
+}  // namespace
+
+void check_dms_jacobian(const DmsModel& model, const DmsBody& body, Units* units) {
+  const DmsNear near(model);
+  DmsJacobian check(model, near, units);
+  for (size_t t = 0; t < body.trees.size(); ++t) check.check_tree(t, body.trees[t]);
+}

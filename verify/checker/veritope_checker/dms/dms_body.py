@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""The body of a certificate of a simplex-spline solid (docs/certificates/dms-solid.md, section 2): B1 and B2."""
+from fractions import Fraction
+
+from ..common.errors import Reject
+from ..patches.star_box_read import Body
+
+MAGIC, MAX_LEVELS, MAX_DEGREE = b"VTDM", 64, 6
+MAX_BITS, MAX_MODEL_BITS = 1024, 256
+POINT, LEAF, PLANE, TILE, FACE = 6, 20, 8, 4, 2             # least sizes, in bytes
+OF_KIND_P = 13
+
+class Leaf:
+    """is_p: its kind; matrix: three rows; planes: (vector, number) each."""
+
+    def __init__(self, body, is_p):
+        entries = [body.rational() for _ in range(9)]
+        self.is_p, self.matrix = is_p, [entries[i:i + 3] for i in (0, 3, 6)]
+        self.planes = read_planes(body)
+
+class Tile:
+    """corners: three numbers of points."""
+
+    def __init__(self, body, num_points):
+        self.corners = [body.varint() for _ in range(3)]
+        if max(self.corners) >= num_points:
+            raise Reject("B1", "a tile has a point that does not exist")
+        self.planes = read_planes(body)
+
+class Certificate:
+    """points: added ones; trees: of each tetrahedron, in preorder, a Leaf or (edge, t); planes, tiles: of each face of
+    the boundary; domain, surface: bytes."""
+
+    def __init__(self, data, model):
+        body = Body(data)
+        if body.bytes(4) != MAGIC or body.count(LEAF) != len(model.tetrahedra):
+            raise Reject("B1", "magic, or another number of tetrahedra")
+        num_faces = body.count(FACE)
+        self.points = [[body.rational() for _ in range(3)] for _ in range(body.count(POINT))]
+        self.trees = [read_tree(body) for _ in model.tetrahedra]
+        self.planes = [read_planes(body) for _ in range(num_faces)]
+        num_points = len(model.clouds) + len(self.points)
+        self.tiles = [[Tile(body, num_points) for _ in range(counted(body, TILE))] for _ in range(num_faces)]
+        self.domain = body.bytes(int.from_bytes(body.bytes(4), "little"))
+        self.surface = body.bytes(int.from_bytes(body.bytes(4), "little"))
+        body.end()
+
+    def why_too_long(self, model):
+        """Why B2 does not hold, or None."""
+        if model.degree > MAX_DEGREE:
+            return "the degree is above %d" % MAX_DEGREE
+        if is_long([*(knot for cloud in model.clouds for knot in cloud), *model.control.values()], MAX_MODEL_BITS):
+            return "a number of the model is too long"
+        lists = list(self.points)
+        nodes = [node for tree in self.trees for node in tree]
+        lists += [row for node in nodes if type(node) is Leaf for row in node.matrix]
+        lists += [[node[1]] for node in nodes if type(node) is not Leaf]
+        lists += [[*vector, c] for holder in self.holders(nodes) for vector, c in holder]
+        if is_long(lists, MAX_BITS):
+            return "a number of the body is too long"
+
+    def holders(self, nodes):
+        """All lists of planes."""
+        yield from (node.planes for node in nodes if type(node) is Leaf)
+        yield from self.planes
+        yield from (tile.planes for tiles in self.tiles for tile in tiles)
+
+def is_long(lists, most):
+    return any(max(abs(c.numerator), c.denominator) >> most for numbers in lists for c in numbers)
+
+def counted(body, size):
+    n = body.varint()
+    if n * size > body.left():
+        raise Reject("B1", "a count is larger than the body")
+    return n
+
+def read_planes(body):
+    planes = []
+    for _ in range(counted(body, PLANE)):
+        vector, c = [body.rational() for _ in range(3)], body.rational()
+        if not any(vector):
+            raise Reject("B1", "a plane without a direction")
+        planes.append((vector, c))
+    return planes
+
+def read_tree(body):
+    tree, levels = [], [0]
+    while levels:
+        level, symbol = levels.pop(), body.u8(OF_KIND_P)
+        if symbol >= 12:
+            tree.append(Leaf(body, symbol == OF_KIND_P))
+            continue
+        t = body.rational() if symbol >= 6 else Fraction(1, 2)
+        if level == MAX_LEVELS or not 0 < t < 1:
+            raise Reject("B1", "a tree is too deep, or an edge is cut at one of its ends")
+        tree.append((symbol % 6, t))
+        levels += [level + 1] * 2
+    return tree

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""The claim dms-solid-1: check() is called when the statement and the hashes are right.
+
+Written from docs/certificates/dms-solid.md and docs/formats/dms-files.md alone, and the pages that they quote.
+"""
+from ..common.errors import Reject
+from ..common.vectors import cross, dot
+from .dms_body import Certificate, Leaf
+from .dms_domain import (boundary_of, numbers_of_surface, test_clouds, test_control, test_hulls, test_tetrahedra,
+                         triangle_entity)
+from .dms_map import Interpolation, Map, linear_part, multi_indices, triples
+from .dms_read import Spline
+from .dms_surface import Surface, scaled_planes, unexcluded
+from .dms_walls import Region, face_planes
+
+EDGES = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))
+
+def check(claim, statement, body, model, skip):
+    """skip: conditions that are not tested, for tests only."""
+    checker = Checker(statement, body, model, skip)
+    checker.test()
+    checker.compare()
+
+class Checker:
+    """The conditions in the order of the page."""
+
+    def __init__(self, statement, body, model, skip):
+        self.statement, self.skip, self.model = statement, skip, Spline(model)
+        self.cert = Certificate(body, self.model)
+        self.left = (1 << 24) + (len(model) + len(body) << 8)
+
+    def fail(self, condition, why):
+        if condition not in self.skip:
+            raise Reject(condition, why)
+
+    def spend(self, condition):
+        self.left -= 1
+        if self.left < 0:
+            raise Reject(condition, "too much work")
+
+    def test(self):
+        """Tests all conditions but W3; numbers: of section 7; of_domain: those of the part."""
+        why = self.cert.why_too_long(self.model)
+        if why:
+            self.fail("B2", why)
+        self.stage = "J2"                                   # where values are computed
+        self.spline = Map(self.model, lambda: self.spend(self.stage))
+        test_tetrahedra(self.spline, self.fail)
+        boundary = boundary_of(self.model, self.fail)
+        if len(boundary) != len(self.cert.planes):
+            raise Reject("B1", "another number of faces")
+        self.of_domain = self.surface_numbers("D3", self.cert.domain, [
+            triangle_entity(1, [self.model.clouds[v][0] for v in face]) for face in boundary])
+        test_control(self.spline, self.fail)
+        test_clouds(self.spline, self.fail)
+        planes = [scaled_planes(self.spline, of_face) for of_face in self.cert.planes]
+        test_hulls(self.spline, boundary, planes, self.spend, self.fail)
+        self.test_leaves()
+        surface = Surface(self.spline, boundary, self.cert, self.fail, self.spend)
+        surface.test_tiling()
+        self.stage = "T3"
+        entities = list(surface.entities())
+        self.numbers = {"tetrahedra": len(self.model.tetrahedra), "control_points": self.model.num_control,
+                        "leaves": sum(type(node) is Leaf for tree in self.cert.trees for node in tree),
+                        "patches": len(entities), **self.surface_numbers("T3", self.cert.surface, entities)}
+
+    def surface_numbers(self, name, data, entities):
+        return numbers_of_surface(data, self.statement, entities, self.skip, name)
+
+    def compare(self):
+        """W3."""
+        for key, value in self.numbers.items():
+            if self.statement[key] != value:
+                self.fail("W3", "%s are %d, the statement says %d" % (key, value, self.statement[key]))
+            if self.of_domain.get(key, value) != value:
+                self.fail("W3", "the domain has another number of %s" % key)
+
+    # ------------------------------------------------------------ section 5
+
+    def test_leaves(self):
+        for t, tree in enumerate(self.cert.trees):
+            root = self.spline.corners(t)
+            stack = [root]
+            for node in tree:
+                corners = stack.pop()
+                if type(node) is Leaf:
+                    self.test_leaf(t, root, corners, node)
+                    continue
+                (i, j), share = EDGES[node[0]], node[1]
+                middle = tuple((1 - share) * a + share * b for a, b in zip(corners[i], corners[j]))
+                stack += ([middle if m == i else c for m, c in enumerate(corners)],
+                          [middle if m == j else c for m, c in enumerate(corners)])
+
+    def test_leaf(self, t, root, corners, leaf):
+        a, b, c = leaf.matrix
+        if dot(cross(a, b), c) <= 0:
+            self.fail("J3", "det R is not positive in a leaf of tetrahedron %d" % t)
+        planes = [*face_planes(corners), *face_planes(root), *scaled_planes(self.spline, leaf.planes)]
+        region = Region(corners, planes)
+        near = list(unexcluded(self.spline, region, lambda: self.spend("J2" if leaf.is_p else "J1")))
+        if not leaf.is_p:
+            for neighbour, gamma, _ in near:
+                if not is_definite(leaf.matrix, self.spline.derivative(neighbour, gamma)):
+                    return self.fail("J1", "the derivative %s of tetrahedron %d in a leaf of %d" % (
+                        gamma, neighbour, t))
+            return
+        for neighbour, gamma, knots in near:
+            for three in triples(knots):
+                self.spend("J2")
+                if not region.misses_triangle(three):
+                    return self.fail("J2", "knots %s of tetrahedron %d meet a leaf of %d" % (gamma, neighbour, t))
+        if not all(is_definite(leaf.matrix, d) for d in self.derivatives(corners, near)):
+            self.fail("J2", "a coefficient of the derivative in a leaf of tetrahedron %d" % t)
+
+    def derivatives(self, corners, near):
+        """The coefficients of Ds on a leaf of kind P, but for a positive factor."""
+        n, near = self.model.degree, [(t, gamma) for t, gamma, _ in near]
+        interpolation = Interpolation.of(n, 4)
+        found = interpolation.coefficients([self.spline.at(p, near) for p in interpolation.points(corners)])
+        b = dict(zip(interpolation.indices, found))
+        for gamma in multi_indices(n - 1, 4):
+            yield linear_part(corners, [b[(*gamma[:m], gamma[m] + 1, *gamma[m + 1:])] for m in range(4)])
+
+def is_definite(matrix, derivative):
+    """Whether R G + (R G)^T is positive definite."""
+    product = [[dot(row, column) for column in zip(*derivative)] for row in matrix]
+    (a, b, c), (_, d, e), (_, _, f) = [[product[i][j] + product[j][i] for j in range(3)] for i in range(3)]
+    return a > 0 and a * d > b * b and a * (d * f - e * e) - b * (b * f - e * c) + c * (b * e - d * c) > 0

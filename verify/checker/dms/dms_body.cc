@@ -5,7 +5,7 @@
 namespace {
 
 const int kMostDmsLevels = 64;
-const int64_t kMostBodyBits = 1024, kMostFileBits = 256;
+const int64_t kMostBodyBits = 1024, kMostFileBits = 256, kMostWordBits = 64;
 
 struct DmsBytes : Bytes {
   explicit DmsBytes(const Body& bytes) : Bytes(bytes) {}
@@ -111,9 +111,9 @@ DmsBody read_dms_body(const DmsFile& file, const Body& body) {
   require(file.n <= kMostProvedDegree, "B2", "the degree is", uint64_t(file.n));
   check_short(r.added, kMostBodyBits);
   for (const DmsTree& t : r.trees) {
-    check_short(t.cuts, kMostBodyBits);
+    check_short(t.cuts, kMostWordBits);
     for (const DmsLeaf& leaf : t.leaves) {
-      check_short(leaf.r, kMostBodyBits);
+      check_short(leaf.r, kMostWordBits);
       check_short(leaf.planes, kMostBodyBits);
     }
   }

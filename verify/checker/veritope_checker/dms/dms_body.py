@@ -6,7 +6,7 @@ from ..common.errors import Reject
 from ..patches.star_box_read import Body
 
 MAGIC, MAX_LEVELS, MAX_DEGREE = b"VTDM", 64, 6
-MAX_BITS, MAX_MODEL_BITS = 1024, 256
+MAX_BITS, MAX_MODEL_BITS, MAX_WORD_BITS = 1024, 256, 64
 POINT, LEAF, PLANE, TILE, FACE = 6, 20, 8, 4, 2             # least sizes, in bytes
 OF_KIND_P = 13
 
@@ -51,12 +51,11 @@ class Certificate:
             return "the degree is above %d" % MAX_DEGREE
         if is_long([*(knot for cloud in model.clouds for knot in cloud), *model.control.values()], MAX_MODEL_BITS):
             return "a number of the model is too long"
-        lists = list(self.points)
         nodes = [node for tree in self.trees for node in tree]
-        lists += [row for node in nodes if type(node) is Leaf for row in node.matrix]
-        lists += [[node[1]] for node in nodes if type(node) is not Leaf]
-        lists += [[*vector, c] for holder in self.holders(nodes) for vector, c in holder]
-        if is_long(lists, MAX_BITS):
+        words = [row for node in nodes if type(node) is Leaf for row in node.matrix]
+        words += [[node[1]] for node in nodes if type(node) is not Leaf]
+        lists = [*self.points, *([*vector, c] for holder in self.holders(nodes) for vector, c in holder)]
+        if is_long(lists, MAX_BITS) or is_long(words, MAX_WORD_BITS):
             return "a number of the body is too long"
 
     def holders(self, nodes):

@@ -9,7 +9,7 @@ struct DmsNear {
 
   // Those without a plane of `sides`, by the closed box of its corners.
   std::vector<DmsTerm> not_excluded(const DmsBox& box, DmsSides* sides, Units* units) const;
-  // Those of T2 for which keeps(their different knots), of those that no plane across an axis excludes.
+  // Those of them that T2 keeps: keeps(their different knots) decides.
   std::vector<DmsTerm> filtered(
       const DmsBox& box, DmsSides* sides, Units* units,
       const std::function<bool(const std::vector<uint32_t>& knots)>& keeps) const;

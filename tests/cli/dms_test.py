@@ -184,9 +184,25 @@ class Dms(Folder):
         done = run("convert", TETRAHEDRON, "o.stl", cwd=self.folder)
         self.assertEqual(done.returncode, 2)
         self.assertIn("does not end in vdms", " ".join(done.stderr.split()))
-        done = run("certify", TETRAHEDRON)
-        self.assertEqual(done.returncode, 3)
-        self.assertIn("no certificate can state yet", " ".join(done.stdout.split()))
+
+    def test_certify_proves_a_solid_and_names_a_point_where_a_map_is_reversed(self):
+        folded = self.folder / "folded.vdms"
+        folded.write_text(TETRAHEDRON.read_text().replace('"value": ["0", "0", "1", "0"]', '"value": ["0", "0", "-5", "0"]'))
+        done = run("certify", TETRAHEDRON, folded, "--json", self.folder / "r.json")
+        self.assertEqual(done.returncode, 3, done)
+        self.assertIn("1 body, genus 0, volume about 0.166667 (checked)", done.stdout)
+        self.assertIn("  proof        1 leaf, 4 patches of the surface", done.stdout)
+        document = json.loads((self.folder / "r.json").read_text())
+        self.assertEqual(schema.faults(document), [])
+        valid, open_one = document["files"]
+        self.assertEqual(list(valid), schema.keys_of("dms_file"))
+        self.assertEqual((valid["verdict"], valid["shells"], valid["reasons"]), ("VALID", [{"genus": 0}], []))
+        self.assertEqual(valid["counts"], {"tetrahedra": 1, "control_points": 10, "degree": 2, "leaves": 1, "patches": 4, "bodies": 1})
+        self.assertTrue(valid["volume"]["lo"] <= 1 / 6 <= valid["volume"]["hi"], valid["volume"])
+        self.assertEqual((open_one["verdict"], open_one["shells"], open_one["volume"]), ("UNDECIDED", [], None))
+        (reason,) = open_one["reasons"]
+        self.assertEqual(reason["code"], "not-certified")
+        self.assertIn("J: the determinant of the derivative is below 0 at (1/4, 1/4, 1/4)", reason["message"])
 
     @unittest.skipIf(schema.jsonschema is None, "python3-jsonschema is not installed")
     def test_files_obey_the_schema_and_the_schema_is_tight(self):

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "verify/format/collar_certificate.h"
+#include "verify/format/dms_certificate.h"
 #include "verify/format/micro_certificate.h"
 #include "verify/format/micro_inside_certificate.h"
 #include "verify/format/patch_invalid_certificate.h"

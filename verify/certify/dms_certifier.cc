@@ -206,7 +206,7 @@ class DmsCertification {
       else
         text += "the determinant of the derivative is not proved to be above 0 in";
       text += " tetrahedron " + std::to_string(open->tetrahedron) + ", with the corners ";
-      for (const DmsPoint& p : open->corners) text += text_of(p);
+      for (std::size_t i = 0; i < 4; ++i) text += (i == 0 ? "" : ", ") + text_of(open->corners[i]);
       return reason(std::move(text));
     }
     for (const DmsLeafTree& tree : std::get<0>(trees)) {

@@ -55,7 +55,7 @@ TEST(Slab, ASlabIsBesidePointsThatLieOnOneSideOnly) {
   EXPECT_TRUE(is_beside(slab, node_at({at(0, -0x1p-20, 0)})));
   EXPECT_FALSE(is_beside(slab, node_at({at(1, 0, 0)})));
   EXPECT_FALSE(is_beside(slab, node_at({at(2, 0, 0), at(-2, 0, 0)})));
-  // Half a unit in the last place is not told apart.
+  // A distance of half a unit in the last place is too small for a proof.
   EXPECT_FALSE(is_beside(slab, node_at({at(1, 0x1p-53, 0)})));
   const Slab none = slab_around({HUGE_VAL, 0, 0}, std::vector<Box3>{at(0, 0, 0)});
   EXPECT_EQ(none.direction, (Point3d{0, 0, 0}));
@@ -159,7 +159,7 @@ TEST(SurfaceView, ReachIsABoundThatIsNearTheDistance) {
       EXPECT_LE(enough, 2 * distance + 0.1);
     }
   }
-  // Of several points the farthest counts, from one part: two opposite faces are near no common one.
+  // The farthest of several points counts, from one part: two opposite faces are near no common one.
   const std::vector<Box3> both = {at(0.75, 0, 0), at(-0.75, 0, 0)};
   EXPECT_GE(triangles.view()->reach(both, HUGE_VAL), 1);
   EXPECT_GE(cube.view()->reach(both, HUGE_VAL), 1);

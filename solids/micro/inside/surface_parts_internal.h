@@ -11,6 +11,7 @@
 
 #include "solids/base/box_hierarchy.h"
 #include "solids/micro/inside/part_net_internal.h"
+#include "solids/micro/surface/node_points.h"
 #include "solids/patches/patch_complex.h"
 #include "solids/polyhedron/triangle_mesh.h"
 

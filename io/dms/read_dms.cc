@@ -47,8 +47,6 @@ class DmsReader : SplineJsonLexer {
     const char* const at = p_;
     return read_exact(number) && accept(at, check_dms_number(number));
   }
-  // Reads digits without a sign, up to `most`.
-  bool read_natural(const char* what, std::uint64_t most, std::uint64_t& value);
   // Reads a list that must have `count` items; `what` names it: "a value".
   template <typename Item>
   bool read_counted(const char* what, std::size_t count, Item item);
@@ -241,24 +239,6 @@ bool DmsReader::set_control(const char* at) {
   if (status) return true;
   const auto entry = status.error().place.entity;
   return accept(entry ? entries_at_[*entry] : at, status);
-}
-
-bool DmsReader::read_natural(const char* what, std::uint64_t most, std::uint64_t& value) {
-  constexpr std::size_t kMostDigits = 18;
-  const std::string_view token = peek();
-  const bool is_integer = !token.empty() && std::all_of(token.begin(), token.end(), is_digit) &&
-                          (token.size() == 1 || token[0] != '0');
-  const std::string range =
-      std::string(what) + " must be an integer from 0 to " + std::to_string(most) + ", not ";
-  if (token.empty()) return fail_expected(what);
-  if (!is_integer) return fail(p_, Code::kSyntax, range + quoted(token));
-  value = 0;
-  if (token.size() <= kMostDigits)
-    for (const char c : token) value = 10 * value + static_cast<std::uint64_t>(c - '0');
-  if (token.size() > kMostDigits || value > most)
-    return fail(p_, Code::kOverLimit, range + quoted(token));
-  p_ += token.size();
-  return true;
 }
 
 template <typename Item>

@@ -59,8 +59,6 @@ class MicroReader : SplineJsonLexer {
     return read_exactly(3, [&](std::size_t c) { return read_exact(point[c]); });
   }
 
-  // Reads digits without a sign, up to `most`.
-  bool read_natural(const char* what, std::uint64_t most, std::uint64_t& value);
   bool read_volume(const char* what, std::uint64_t most, std::uint32_t& volume) {
     std::uint64_t n = 0;
     if (!read_natural(what, most, n)) return false;
@@ -185,24 +183,6 @@ bool MicroReader::read_cage() {
     has_names_in_cage_ = has_names_in_cage_ || !entities[v].attributes.empty();
     micro_.cage.push_back(*volume);
   }
-  return true;
-}
-
-bool MicroReader::read_natural(const char* what, std::uint64_t most, std::uint64_t& value) {
-  constexpr std::size_t kMostDigits = 18;
-  const std::string_view token = peek();
-  const bool is_integer = !token.empty() && std::all_of(token.begin(), token.end(), is_digit) &&
-                          (token.size() == 1 || token[0] != '0');
-  const std::string range =
-      std::string(what) + " must be an integer from 0 to " + std::to_string(most) + ", not ";
-  if (token.empty()) return fail_expected(what);
-  if (!is_integer) return fail(p_, Code::kSyntax, range + quoted(token));
-  value = 0;
-  if (token.size() <= kMostDigits)
-    for (const char c : token) value = 10 * value + static_cast<std::uint64_t>(c - '0');
-  if (token.size() > kMostDigits || value > most)
-    return fail(p_, Code::kOverLimit, range + quoted(token));
-  p_ += token.size();
   return true;
 }
 

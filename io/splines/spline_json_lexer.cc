@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "io/splines/spline_json_lexer.h"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace veritope {
 
 bool SplineJsonLexer::take_char(char c) {
@@ -67,7 +70,8 @@ bool SplineJsonLexer::read_string(std::string& text) {
   bool is_ascii = true;
   for (;;) {
     const char* const run = p_;
-    for (; p_ < source_.end && *p_ != '"' && *p_ != '\\' && static_cast<unsigned char>(*p_) >= 0x20; ++p_)
+    for (; p_ < source_.end && *p_ != '"' && *p_ != '\\' && static_cast<unsigned char>(*p_) >= 0x20;
+         ++p_)
       is_ascii &= static_cast<unsigned char>(*p_) < 0x80;
     text.append(run, p_);
     if (p_ >= source_.end) return fail(start, Code::kTruncated, "a string does not end");
@@ -76,7 +80,8 @@ bool SplineJsonLexer::read_string(std::string& text) {
     if (c != '\\') return fail(p_ - 1, Code::kSyntax, "a control character in a string");
     if (!read_escape(text)) return false;
   }
-  if (!is_ascii && to_utf8(text) != text) return fail(start, Code::kSyntax, "a string is not UTF-8");
+  if (!is_ascii && to_utf8(text) != text)
+    return fail(start, Code::kSyntax, "a string is not UTF-8");
   return true;
 }
 
@@ -94,6 +99,24 @@ bool SplineJsonLexer::read_exact(Rational& value) {
   std::string text;
   if (!read_string(text)) return false;
   return read_token(at, text, value, read_exact_number);
+}
+
+bool SplineJsonLexer::read_natural(const char* what, std::uint64_t most, std::uint64_t& value) {
+  constexpr std::size_t kMostDigits = 18;
+  const std::string_view token = peek();
+  const bool is_integer = !token.empty() && std::all_of(token.begin(), token.end(), is_digit) &&
+                          (token.size() == 1 || token[0] != '0');
+  const std::string range =
+      std::string(what) + " must be an integer from 0 to " + std::to_string(most) + ", not ";
+  if (token.empty()) return fail_expected(what);
+  if (!is_integer) return fail(p_, Code::kSyntax, range + quoted(token));
+  value = 0;
+  if (token.size() <= kMostDigits)
+    for (const char c : token) value = 10 * value + static_cast<std::uint64_t>(c - '0');
+  if (token.size() > kMostDigits || value > most)
+    return fail(p_, Code::kOverLimit, range + quoted(token));
+  p_ += token.size();
+  return true;
 }
 
 }  // namespace veritope

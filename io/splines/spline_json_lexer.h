@@ -3,6 +3,7 @@
 // as strings.
 #pragma once
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <initializer_list>
 #include <set>
@@ -30,6 +31,8 @@ class SplineJsonLexer : public SplineTextReader {
   bool take_null();
   bool read_string(std::string& text);
   bool read_bool(bool& value);
+  /// Reads a number that consists of digits, up to `most`; `what` names it in messages: "a degree".
+  bool read_natural(const char* what, std::uint64_t most, std::uint64_t& value);
   /// Reads a string that contains a number.
   bool read_exact(Rational& value);
   /// [item, item, ...]

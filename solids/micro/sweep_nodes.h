@@ -70,4 +70,16 @@ class SweepNodes {
   std::vector<Step> steps_;
 };
 
+/// A part of a sweep that halves itself, as a node of descend() (solids/micro/surface/close_descent.h).
+struct SweepPart {
+  SweepNodes* sweep = nullptr;
+  SweepNodes::Node node;
+  int level = 0;
+
+  std::pair<SweepPart, SweepPart> halves() const {
+    const auto [a, b] = sweep->halves(node);
+    return {{sweep, a, level + 1}, {sweep, b, level + 1}};
+  }
+};
+
 }  // namespace veritope

@@ -106,18 +106,6 @@ Point3d unit_of(const VolumeSpace& volume, const Box3d& box) {
   return unit;
 }
 
-// A part of a sweep, as a node of descend().
-struct SweepPiece {
-  SweepNodes* sweep = nullptr;
-  SweepNodes::Node node;
-  int level = 0;
-
-  std::pair<SweepPiece, SweepPiece> halves() const {
-    const auto [a, b] = sweep->halves(node);
-    return {{sweep, a, level + 1}, {sweep, b, level + 1}};
-  }
-};
-
 }  // namespace
 
 bool misses_surface(SurfaceView& surface, const VolumeSpace& volume, const MicroBridge& bridge) {
@@ -179,12 +167,12 @@ bool misses_surface(SurfaceView& surface, SweepNodes& sweep) {
   DescentBudget budget({kMostClearanceNodes, kMostClearancePairs});
   HullPoints points;
   NodePoints image;
-  const auto close_to = [&](const SweepPiece& piece, PartNumbers* near) {
-    sweep.points(piece.node, &points);
+  const auto close_to = [&](const SweepPart& part, PartNumbers* near) {
+    sweep.points(part.node, &points);
     image.assign(points);
     budget.add_pairs(surface.keep_close({&image, 1}, near));
   };
-  const auto left = descend(SweepPiece{&sweep, {}, 0}, surface.near(sweep.box({})),
+  const auto left = descend(SweepPart{&sweep, {}, 0}, surface.near(sweep.box({})),
                             kMostClearanceLevels, budget, close_to);
   return !left && !budget.is_spent();
 }

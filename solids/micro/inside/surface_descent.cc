@@ -37,18 +37,6 @@ struct DescentUnit {
   std::size_t first_bridge = 0, past_bridge = 0;
 };
 
-// A part of a sweep, as a node of descend().
-struct SweepPart {
-  SweepNodes* sweep = nullptr;
-  SweepNodes::Node node;
-  int level = 0;
-
-  std::pair<SweepPart, SweepPart> halves() const {
-    const auto [a, b] = sweep->halves(node);
-    return {{sweep, a, level + 1}, {sweep, b, level + 1}};
-  }
-};
-
 // Everything that all units share.
 struct DescentWork {
   explicit DescentWork(const InsideParts& p) : parts(p), starts(p.micro, p.tiles) {

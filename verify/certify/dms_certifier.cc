@@ -136,8 +136,7 @@ class DmsCertification {
       return reason(what + ": the star boxes have coordinates too long for a certificate",
                     "not-covered");
     SurfaceProof out;
-    out.boxes = make_star_box_body(*decided.forest, d.cover, d.walks, patches->entities, 0);
-    out.boxes.version = 2;
+    out.boxes = make_star_box_2_body(*decided.forest, d.cover, d.walks, patches->entities);
     out.bodies = d.bodies;
     for (const PatchShellFacts& s : d.shells)
       out.genera.push_back(static_cast<std::uint64_t>(s.genus));

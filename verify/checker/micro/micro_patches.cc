@@ -5,13 +5,13 @@ namespace {
 
 const int kMostLevelOfPatch = 60, kMostLevelNear = 24;
 // Numbers of the nodes that are kept for the next question, and of those of one question.
-const size_t kMostNumbers = 1 << 24, kMostNumbersOfOne = 1 << 26;
+const size_t kMostNumbersOfAll = 1 << 24, kMostNumbersOfOne = 1 << 26;
 const uint64_t kMostPairsOfOne = 1 << 30;  // of one question
 
-double extent(const DoubleBox& b) {
+double extent_of(const DoubleBox& b) {
   return std::max(b.hi[0] - b.lo[0], std::max(b.hi[1] - b.lo[1], b.hi[2] - b.lo[2]));
 }
-double largest(const double* a) {
+double largest_of(const double* a) {
   return std::max(std::abs(a[0]), std::max(std::abs(a[1]), std::abs(a[2])));
 }
 
@@ -30,9 +30,9 @@ Values values_of(const PointHull& hull, const double* base, const double* d, dou
     const double value = d[0] * to[0] + d[1] * to[1] + d[2] * to[2];
     v.least = i == 0 ? value : std::min(v.least, value);
     v.most = i == 0 ? value : std::max(v.most, value);
-    r = std::max(r, largest(to));
+    r = std::max(r, largest_of(to));
   }
-  const double size = largest(d), e = hull.error;
+  const double size = largest_of(d), e = hull.error;
   const double more = 4 * (size * e + of_d * (r + e)) + std::ldexp(size * (r + e), -45) + kTiny;
   return Values{v.least - more, v.most + more};
 }
@@ -133,7 +133,7 @@ uint32_t SplinePatches::children(uint32_t i) {
   return nodes_[i].child;
 }
 void SplinePatches::tidy() {
-  if (numbers_ <= kMostNumbers) return;
+  if (numbers_ <= kMostNumbersOfAll) return;
   nodes_.erase(nodes_.begin() + long(patches_), nodes_.end());
   for (Node& n : nodes_) n.child = 0;
   numbers_ = 0;
@@ -151,7 +151,7 @@ std::vector<uint32_t> SplinePatches::roots_near(const DoubleBox& box) const {
 bool SplinePatches::misses(const PointHull& hull, uint64_t* pairs) {
   if (!hull.is_known) return false;
   tidy();
-  const double least = extent(hull.box) / 2;
+  const double least = extent_of(hull.box) / 2;
   const uint64_t before = *pairs;
   std::vector<uint32_t> open = roots_near(hull.box);
   while (!open.empty()) {
@@ -163,7 +163,7 @@ bool SplinePatches::misses(const PointHull& hull, uint64_t* pairs) {
     if (!node.hull.is_known) return false;  // its halves would hardly be
     const Values v = values_of(hull, &node.hull.p[0], node.n, node.error);
     if (v.most < node.least || node.most < v.least) continue;
-    if (node.level == kMostLevelOfPatch || !(extent(node.hull.box) > least) ||
+    if (node.level == kMostLevelOfPatch || !(extent_of(node.hull.box) > least) ||
         *pairs - before > kMostPairsOfOne || numbers_ > kMostNumbersOfOne)
       return false;
     const uint32_t child = children(i);
@@ -183,7 +183,7 @@ bool SplinePatches::is_near(const PointHull& hull, double most, uint64_t* pairs)
   }
   const uint64_t before = *pairs;
   // A point that is within this distance of all lies within it of both ends of their box.
-  if (extent(hull.box) > 2.000001 * most) return false;
+  if (extent_of(hull.box) > 2.000001 * most) return false;
   std::vector<uint32_t> open = roots_near(grown);
   while (!open.empty()) {
     const uint32_t i = open.back();

@@ -5,8 +5,8 @@
 
 namespace {
 
-struct Reader : InvalidBytes {
-  Reader(const std::vector<Entity>& entities, const char* magic, const Body& bytes)
+struct MeetingReader : InvalidBytes {
+  MeetingReader(const std::vector<Entity>& entities, const char* magic, const Body& bytes)
       : InvalidBytes(entities, magic, true, bytes) {}
   Fraction number() {
     const uint64_t n = varint(), d = varint();
@@ -52,7 +52,7 @@ void check_finding_2(const Statement& s) {
 
 std::string check_patch_invalid_2(const Statement& s, std::string model, const Body& bytes) {
   const std::vector<Entity> entities = read_spline_model(model, s.text.at("subject_format"));
-  Reader r(entities, s.claim->magic, bytes);
+  MeetingReader r(entities, s.claim->magic, bytes);
   const PatchPoint a = r.place(), b = r.place();
   r.end();
 

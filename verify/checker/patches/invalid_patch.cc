@@ -5,8 +5,8 @@
 
 namespace {
 
-struct Reader : InvalidBytes {
-  Reader(const std::vector<Entity>& entities, const char* magic, const Body& bytes)
+struct FindingReader : InvalidBytes {
+  FindingReader(const std::vector<Entity>& entities, const char* magic, const Body& bytes)
       : InvalidBytes(entities, magic, false, bytes) {}
   Part part() {
     Part t;
@@ -123,7 +123,7 @@ void check_finding(const Statement& s) {
 
 std::string check_patch_invalid(const Statement& s, std::string model, const Body& bytes) {
   const std::vector<Entity> entities = read_spline_model(model, s.text.at("subject_format"));
-  Reader r(entities, s.claim->magic, bytes);
+  FindingReader r(entities, s.claim->magic, bytes);
   const Cuts& cuts = r.cuts;
   const bool is_side = r.at_most(r.body.natural(1), 1, "there is no kind") == 1;
   Crossing crossing;

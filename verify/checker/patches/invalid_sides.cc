@@ -4,7 +4,7 @@
 
 namespace {
 
-const int kMostHalvings = 200;
+const int kMostHalvingsOfSides = 200;
 
 bool before(const Arc& a, const Arc& b) {
   if (a.patch != b.patch) return a.patch < b.patch;
@@ -88,7 +88,7 @@ bool is_monotone(const Curve& c, int axis, bool is_rational) {
   return true;
 }
 
-struct Descent {  // D4
+struct SideDescent {  // D4
   const Curve x;  // the point
   Units units;
 
@@ -117,7 +117,7 @@ struct Descent {  // D4
     units.add(1);
     if (is_in(m, level, first, last)) return;
     if (!may_pass(c)) return;
-    require(level < kMostHalvings, "D4", "another side comes too near the point");
+    require(level < kMostHalvingsOfSides, "D4", "another side comes too near the point");
     Curve half[2];
     halve(c, &half[0], &half[1]);
     for (int i = 0; i < 2; ++i) {
@@ -141,7 +141,7 @@ void check_sides(const Sides& s, const std::vector<OuterSide>& outer, uint64_t n
   require(is_monotone(curve_of(s.arcs[0], first), s.axis, first.is_rational), "D3",
           "the first arc is not monotone along axis", uint64_t(s.axis));
   const Curve at = restricted(first.curve, first.curve.size() / 4, Part{s.k, s.at, s.at});
-  Descent d = {Curve(at.begin(), at.begin() + 4), {0, 2000 * (num_outer + 100), "D4"}};
+  SideDescent d = {Curve(at.begin(), at.begin() + 4), {0, 2000 * (num_outer + 100), "D4"}};
   const Arc* arc = sorted.data();
   const Arc* const end = arc + sorted.size();
   for (const OuterSide& side : outer) {

@@ -11,7 +11,7 @@ const Words kRefused = {
     "POLYLINE", "POINTLIST", "POLYSTRIP", "TRISRF",  "INSTANCE"};  // entities are excepted
 const Words kNoAttribute = {"KV", "KVP", "SURFACE", "CURVE", "TRIMCRV"};
 const Words kBases = {"BEZIER", "BSPLINE", "POWER"};
-const uint64_t kMostOrder = 64;
+const uint64_t kMostItdOrder = 64;
 
 bool is_in(const Words& words, const std::string& w) {
   return std::find(words.begin(), words.end(), w) != words.end();
@@ -60,7 +60,7 @@ void to_bernstein(std::vector<Ratio>* net, size_t components, const std::vector<
   }
 }
 
-struct Reader {
+struct ItdReader {
   const std::string& text;
   size_t& at;
   const bool has_volumes;
@@ -151,7 +151,7 @@ struct Reader {
     for (uint64_t& k : order) k = basis == "BSPLINE" ? count() : k;
     uint64_t number = 1;
     for (size_t a = 0; a < axes; ++a) {
-      expect(order[a] <= std::min(given[a], kMostOrder), "an order is too large");
+      expect(order[a] <= std::min(given[a], kMostItdOrder), "an order is too large");
       e.degrees.push_back(int64_t(order[a]) - 1);
       expect(number <= text.size() / given[a], "more control points than the file can hold");
       number *= given[a];
@@ -220,5 +220,5 @@ struct Reader {
 }  // namespace
 
 std::vector<Entity> read_itd_model(const std::string& file, bool has_volumes, size_t* at) {
-  return Reader{file, *at, has_volumes}.model();
+  return ItdReader{file, *at, has_volumes}.model();
 }

@@ -31,7 +31,7 @@ void reverse(MfemKnots* k) {
   k->reversed = std::move(r);
 }
 
-struct Reader {
+struct MfemReader {
   TokenReader in;
   MfemTopology t;
 
@@ -199,6 +199,6 @@ struct Reader {
 }  // namespace
 
 std::vector<Entity> read_mfem_model(const std::string& file, size_t* at) {
-  Reader r = {TokenReader(file, true, at), MfemTopology()};
+  MfemReader r = {TokenReader(file, true, at), MfemTopology()};
   return r.model();
 }

@@ -8,8 +8,8 @@ __extension__ typedef __int128 i128;
 const int64_t kMostSteps = 64;  // abs(t)
 const uint64_t kMostSheets = 64;  // and as many separators
 
-struct Reader : StarBytes {
-  Reader(const Body& bytes, StarBody* to) : StarBytes(bytes, to) {}
+struct StarBodyReader : StarBytes {
+  StarBodyReader(const Body& bytes, StarBody* to) : StarBytes(bytes, to) {}
 
   uint64_t bounds(Box* b, int64_t* least, int64_t* size) {  // the result is the shift
     uint64_t s = shift();
@@ -185,7 +185,7 @@ void StarBytes::points_and_end(Walk* w) {
 StarBody read_star_body(const std::string& magic, const std::vector<Entity>& entities, Body bytes,
                         const std::function<void(StarBytes*)>& rest) {
   StarBody out;
-  Reader r(bytes, &out);
+  StarBodyReader r(bytes, &out);
   out.version = magic == "VTS2" ? 2 : 1;
   Cuts cuts = read_cuts(entities, magic.c_str(), out.version == 2, true, &r);
   out.num_reversed = cuts.num_reversed;

@@ -55,7 +55,7 @@ bool leads_to(const Bounds& b, const Frame& frame, const int64_t* lo, const int6
   return true;
 }
 
-struct Descent {
+struct BoxDescent {
   Forest& forest;
   Units& units;
   const Box& box;
@@ -81,12 +81,12 @@ struct Descent {
   }
 };
 
-struct StarDescent : Descent {
+struct StarDescent : BoxDescent {
   SheetTest test;
   std::vector<std::vector<Piece>> pieces;  // for each sheet
 
-  StarDescent(const Descent& d, int version)
-      : Descent(d), test(box, version, &units), pieces(box.sheets.size()) {}
+  StarDescent(const BoxDescent& d, int version)
+      : BoxDescent(d), test(box, version, &units), pieces(box.sheets.size()) {}
 
   // Visits child c of a node with these signs, or a root.
   void visit(const Patch& p, Node* node, Node* parent, const Signs* of_parent, int c) {
@@ -103,11 +103,11 @@ struct StarDescent : Descent {
   }
 };
 
-struct MeshDescent : Descent {
+struct MeshDescent : BoxDescent {
   std::vector<Facet> facets;
   std::set<const Patch*> seen;  // flat patches, which may have several roots
 
-  explicit MeshDescent(const Descent& d) : Descent(d) {}
+  explicit MeshDescent(const BoxDescent& d) : BoxDescent(d) {}
 
   bool visit(const Patch& p, Node* node) {  // false: C4 fails
     if (misses(p, *node)) return true;
@@ -125,7 +125,7 @@ struct MeshDescent : Descent {
   }
 };
 
-void check_star_box(const Descent& descent, int version) {
+void check_star_box(const BoxDescent& descent, int version) {
   StarDescent d(descent, version);
   d.units.id = "C2";
   d.each_root([&](const Patch& p, Node* root) { d.visit(p, root, nullptr, nullptr, 0); });
@@ -133,7 +133,7 @@ void check_star_box(const Descent& descent, int version) {
     require(crossing_number(d.pieces[i], d.box.sheets[i], &d.units) == 1, "C3",
             "the crossing number is not 1 in box", d.number);
 }
-void check_mesh_box(const Descent& descent) {
+void check_mesh_box(const BoxDescent& descent) {
   MeshDescent d(descent);
   d.units.id = "C4";
   bool flat = true;
@@ -148,7 +148,7 @@ void check_boxes(const StarBody& body, Forest* forest, Units* units) {
     if (i > first) continue;
     try {
       const Box& b = body.boxes[i];
-      const Descent descent = {*forest, *units, b, body.frames[b.frame], i};
+      const BoxDescent descent = {*forest, *units, b, body.frames[b.frame], i};
       if (b.is_mesh) check_mesh_box(descent);
       if (!b.is_mesh) check_star_box(descent, body.version);
     } catch (const Rejected& r) {

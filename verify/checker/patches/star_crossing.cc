@@ -4,9 +4,9 @@
 
 namespace {
 
-const int kMostHalvings = 64;
+const int kMostHalvingsOfCurves = 64;
 
-struct Side {  // a piece's side, as an interval of a line of its patch, or of a pair of sides
+struct PieceSide {  // a piece's side, as an interval of a line of its patch, or of a pair of sides
   uint64_t line;
   int64_t place, lo, hi;
   bool is_forward;   // travelled with the line's parameter
@@ -14,7 +14,7 @@ struct Side {  // a piece's side, as an interval of a line of its patch, or of a
   int e;
   const Piece* piece;
 };
-bool before(const Side& a, const Side& b) {
+bool is_before(const PieceSide& a, const PieceSide& b) {
   if (a.line != b.line) return a.line < b.line;
   if (a.place != b.place) return a.place < b.place;
   if (a.is_forward != b.is_forward) return a.is_forward < b.is_forward;
@@ -24,7 +24,7 @@ bool before(const Side& a, const Side& b) {
 int64_t barycentric(const int64_t* at, int k) {
   return k == 0 ? kWholeSide - at[0] - at[1] : at[k - 1];
 }
-Side side_of(const Piece& piece, int e) {
+PieceSide side_of(const Piece& piece, int e) {
   const Patch& p = *piece.patch;
   const bool tri = p.shape.is_triangle, outer = piece.node->is_outer(p, e);
   const int n = p.shape.sides(), first = tri ? e + 1 : e;
@@ -35,7 +35,7 @@ Side side_of(const Piece& piece, int e) {
     if (outer && !tri && e >= 2) t[i] = kWholeSide - t[i];  // now in the direction of travel
     if (outer && p.is_reversed != p.is_second[e]) t[i] = kWholeSide - t[i];
   }
-  Side s = {outer ? p.pair[e] : uint64_t(1) << 63 | (4 * p.first_root + uint64_t(tri ? e : e % 2)),
+  PieceSide s = {outer ? p.pair[e] : uint64_t(1) << 63 | (4 * p.first_root + uint64_t(tri ? e : e % 2)),
             0,
             std::min(t[0], t[1]),
             std::max(t[0], t[1]),
@@ -48,13 +48,13 @@ Side side_of(const Piece& piece, int e) {
   return s;
 }
 
-struct Curve {  // (x, y) of control points
+struct PlaneCurve {  // (x, y) of control points
   std::vector<Big> x, y;
 };
 struct Counter {
   const Sheet& b;
   Units& units;
-  std::vector<Side> sides;
+  std::vector<PieceSide> sides;
   int i, j, k;  // axes
   int64_t d[3];
 
@@ -66,7 +66,7 @@ struct Counter {
   }
 
   // A control point of a side, from the first centre, along an axis, times its weight.
-  Big from_centre(const Side& s, int at, int axis) const {
+  Big from_centre(const PieceSide& s, int at, int axis) const {
     const Patch& p = *s.piece->patch;
     const Node& node = *s.piece->node;
     const int n = node.net.n;
@@ -75,11 +75,11 @@ struct Counter {
   }
   // The curve of the side, in the node's own direction; without x if y has one sign, so that the
   // side crosses nothing.
-  Curve curve(const Side& s) const {
+  PlaneCurve curve(const PieceSide& s) const {
     const Shape& shape = s.piece->patch->shape;
     const int degree = shape.side_degree(s.e);
     std::vector<Big> along;
-    Curve c;
+    PlaneCurve c;
     bool up = true, down = true;
     for (int m = 0; m <= degree; ++m) {
       const int at = shape.on_side(s.e, m);
@@ -102,36 +102,36 @@ struct Counter {
       for (size_t m = 0; m + 1 < n - s; ++m) v[m] = v[m] + v[m + 1];
     }
   }
-  void halve(const Side& s, const Curve& c, Curve* half) {
+  void halve(const PieceSide& s, const PlaneCurve& c, PlaneCurve* half) {
     units.add(s.piece->patch->cost_of_half_curve(s.piece->node->level));
     halve(c.x, &half[0].x, &half[1].x);
     halve(c.y, &half[0].y, &half[1].y);
   }
-  int64_t crossings(const Side& s, const Curve& c, int halvings) {
+  int64_t crossings(const PieceSide& s, const PlaneCurve& c, int halvings) {
     bool up = true, down = true, left = true, right = true;
     for (const Big& y : c.y) up = up && y.sign() >= 0, down = down && y.sign() < 0;
     for (const Big& x : c.x) left = left && x.sign() <= 0, right = right && x.sign() >= 0;
     if (up || down || left) return 0;
     if (right) return int(c.y.back().sign() >= 0) - int(c.y[0].sign() >= 0);
-    require(halvings < kMostHalvings, "C3", "a curve comes too close to the centres' line");
-    Curve half[2];
+    require(halvings < kMostHalvingsOfCurves, "C3", "a curve comes too close to the centres' line");
+    PlaneCurve half[2];
     halve(s, c, half);
     return crossings(s, half[0], halvings + 1) + crossings(s, half[1], halvings + 1);
   }
   // The part [lo, hi] of a side, whose curve is c, without what other pieces pass in the opposite
   // direction. Intervals are dyadic: one ends inside another only if it lies in it.
-  int64_t remaining(const Side& s, int64_t lo, int64_t hi, const Curve& c) {
-    Side key = s;
+  int64_t remaining(const PieceSide& s, int64_t lo, int64_t hi, const PlaneCurve& c) {
+    PieceSide key = s;
     key.is_forward = !s.is_forward;
     key.lo = lo;
-    auto next = std::upper_bound(sides.begin(), sides.end(), key, before);
-    const auto is_opposite = [&](std::vector<Side>::const_iterator o) {
+    auto next = std::upper_bound(sides.begin(), sides.end(), key, is_before);
+    const auto is_opposite = [&](std::vector<PieceSide>::const_iterator o) {
       return o->line == key.line && o->place == key.place && o->is_forward == key.is_forward;
     };
     if (next != sides.begin() && is_opposite(next - 1) && (next - 1)->hi > lo) --next;
     if (next == sides.end() || !is_opposite(next) || next->lo >= hi) return crossings(s, c, 0);
     if (next->lo <= lo && next->hi >= hi) return 0;
-    Curve half[2];
+    PlaneCurve half[2];
     halve(s, c, half);
     const int64_t middle = lo + (hi - lo) / 2;
     return remaining(s, lo, middle, half[s.is_reversed]) +
@@ -147,14 +147,14 @@ int64_t crossing_number(const std::vector<Piece>& pieces, const Sheet& sheet, Un
     for (int e = 0; e < piece.patch->shape.sides(); ++e)
       if (!piece.patch->is_collapsed(e) || !piece.node->is_outer(*piece.patch, e))
         counter.sides.push_back(side_of(piece, e));
-  std::sort(counter.sides.begin(), counter.sides.end(), before);
+  std::sort(counter.sides.begin(), counter.sides.end(), is_before);
   int64_t sum = 0;
-  for (const Side& s : counter.sides) {
+  for (const PieceSide& s : counter.sides) {
     // Most sides are cancelled whole: their curves are not needed.
-    Side key = s;
+    PieceSide key = s;
     key.is_forward = !s.is_forward;
-    const auto o = std::lower_bound(counter.sides.begin(), counter.sides.end(), key, before);
-    if (o != counter.sides.end() && !before(key, *o) && o->hi >= s.hi) continue;
+    const auto o = std::lower_bound(counter.sides.begin(), counter.sides.end(), key, is_before);
+    if (o != counter.sides.end() && !is_before(key, *o) && o->hi >= s.hi) continue;
     const int64_t one = counter.remaining(s, s.lo, s.hi, counter.curve(s));
     sum += s.piece->patch->is_reversed ? -one : one;
   }

@@ -31,12 +31,12 @@ bool is_zero(const Vec& a) {
   return a.x[0].sign() == 0 && a.x[1].sign() == 0 && a.x[2].sign() == 0;
 }
 
-typedef std::vector<Vec> Points;
+typedef std::vector<Vec> MappedPoints;
 // Whether the values of d on P all lie below, or all above, those on Q.
-bool separates(const Vec& d, const Points& p, const Points& q) {
+bool separates(const Vec& d, const MappedPoints& p, const MappedPoints& q) {
   Big lo[2], hi[2];
   for (int s = 0; s < 2; ++s) {
-    const Points& set = s == 0 ? p : q;
+    const MappedPoints& set = s == 0 ? p : q;
     for (size_t i = 0; i < set.size(); ++i) {
       const Big v = dot(d, set[i]);
       if (i == 0 || v < lo[s]) lo[s] = v;
@@ -47,14 +47,14 @@ bool separates(const Vec& d, const Points& p, const Points& q) {
 }
 
 struct Triangle {
-  Points v;  // times w
+  MappedPoints v;  // times w
   Vec e[3], n;
-  Triangle(const Points& corners) : v(corners), n(cross(v[1] - v[0], v[2] - v[0])) {
+  Triangle(const MappedPoints& corners) : v(corners), n(cross(v[1] - v[0], v[2] - v[0])) {
     for (size_t i = 0; i < 3; ++i) e[i] = v[(i + 1) % 3] - v[i];
   }
   // Whether q is disjoint from the plane polygon or segment with these edges and, if it is a
   // triangle, the normal m.
-  bool is_apart(const Points& q, const std::vector<Vec>& edges, const Vec* m) const {
+  bool is_apart(const MappedPoints& q, const std::vector<Vec>& edges, const Vec* m) const {
     if (separates(n, v, q) || (m != nullptr && separates(*m, v, q))) return true;
     for (const Vec& f : edges) {
       for (const Vec& g : e)
@@ -73,13 +73,13 @@ Vec corner(const Patch& p,
   for (size_t k = 0; k < 3; ++k) r.x[k] = p.net[4 * size_t(p.shape.on_side(side, 0)) + k];
   return r;
 }
-Points corners(const Facet& f) {
+MappedPoints corners(const Facet& f) {
   return {corner(*f.patch, f.corner[0]), corner(*f.patch, f.corner[1]),
           corner(*f.patch, f.corner[2])};
 }
 
 bool meet_properly(const Facet& a, const Facet& b) {
-  Points p = corners(a), q = corners(b);
+  MappedPoints p = corners(a), q = corners(b);
   for (size_t i = 0; i < 3; ++i) p[i] = p[i] * b.patch->net[3], q[i] = q[i] * a.patch->net[3];
   const Triangle t(p), u(q);
   int common = 0, edges = 0;
@@ -118,7 +118,7 @@ std::vector<Facet> facets_of(const Patch& p) {
 }
 
 bool misses(const Facet& facet, const Frame& frame, const Box& b) {
-  Points mapped = corners(facet);
+  MappedPoints mapped = corners(facet);
   for (Vec& v : mapped) {
     const Vec plain = v;
     for (int row = 0; row < 3; ++row) {
@@ -128,7 +128,7 @@ bool misses(const Facet& facet, const Frame& frame, const Box& b) {
   }
   const Triangle t(mapped);
   const Big& w = facet.patch->net[3];
-  Points q;
+  MappedPoints q;
   for (int i = 0; i < 8; ++i) {
     Vec v;
     for (int k = 0; k < 3; ++k)
@@ -161,7 +161,7 @@ bool meet_properly(const std::vector<Facet>& facets, Units* units) {
 namespace {
 
 // Each corner is to the left of the line through any two successive others.
-bool is_strictly_convex(const Points& corners, const Vec& normal) {
+bool is_strictly_convex(const MappedPoints& corners, const Vec& normal) {
   for (size_t i = 0, n = corners.size(); i < n; ++i)
     for (size_t j = 2; j < n; ++j) {
       const Vec along = corners[(i + 1) % n] - corners[i], to = corners[(i + j) % n] - corners[i];
@@ -197,7 +197,7 @@ bool is_turned_to(const Patch& p, const Vec& n0) {
 
 bool is_flat_patch(const Patch& p) {
   if (p.is_rational) return false;
-  Points at, points;
+  MappedPoints at, points;
   for (int i = 0; i < p.shape.sides(); ++i) at.push_back(corner(p, i));
   const Vec n0 = cross(at[1] - at[0], at[2] - at[0]);
   if (!is_strictly_convex(at, n0)) return false;

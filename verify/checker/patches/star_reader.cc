@@ -8,12 +8,12 @@ namespace {
 
 const int kMostDepth = 100;  // nesting of such a shape, docs/certificates/star-box.md
 
-struct Reader : JsonReader {
+struct VjsonReader : JsonReader {
   const bool has_volumes;
   uint64_t groups = 0;
   Numbers last;  // of the entity before, whose copies share them
 
-  Reader(const std::string& file, bool volumes, size_t* begin)
+  VjsonReader(const std::string& file, bool volumes, size_t* begin)
       : JsonReader(file, begin), has_volumes(volumes) {}
   void index() {  // null, or of a group read before
     if (next() == 'n') return expect(word() == "null", "expected null");
@@ -139,10 +139,10 @@ struct Reader : JsonReader {
 }  // namespace
 
 std::vector<Entity> read_json_part(const std::string& file, bool has_volumes, size_t* at) {
-  return Reader(file, has_volumes, at).model();
+  return VjsonReader(file, has_volumes, at).model();
 }
 std::vector<Entity> read_json_model(const std::string& file, bool has_volumes, size_t* at) {
-  Reader reader(file, has_volumes, at);
+  VjsonReader reader(file, has_volumes, at);
   std::vector<Entity> entities = reader.model();
   expect(reader.next() == '\0' && *at == file.size(), "something follows the model");
   return entities;

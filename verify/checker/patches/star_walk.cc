@@ -8,7 +8,7 @@ __extension__ typedef __int128 i128;
 int sign(const Big& x) { return x.sign(); }
 int sign(i128 x) { return x < 0 ? -1 : x > 0; }
 
-struct Line {  // from a along d: to a + d, or without an end
+struct WalkLine {  // from a along d: to a + d, or without an end
   int64_t a[3], d[3];
   bool is_ray;
 
@@ -37,8 +37,8 @@ struct Line {  // from a along d: to a + d, or without an end
   }
 };
 
-struct Descent {
-  const Line line;
+struct WalkDescent {
+  const WalkLine line;
   uint64_t walk;
   Forest& forest;
   Units& units;
@@ -72,8 +72,8 @@ struct Descent {
   }
 };
 
-void check_line(const Line& line, uint64_t walk, Forest* forest, Units* units) {
-  Descent d = {line, walk, *forest, *units};
+void check_line(const WalkLine& line, uint64_t walk, Forest* forest, Units* units) {
+  WalkDescent d = {line, walk, *forest, *units};
   forest->descend([&](const int64_t* lo, const int64_t* hi) { return d.leads(lo, hi); },
                   [&](const Patch& p, Node* root) { d.visit(p, root); });
   forest->tidy();
@@ -84,7 +84,7 @@ void check_line(const Line& line, uint64_t walk, Forest* forest, Units* units) {
 void check_polyline(const std::vector<int64_t>& points, int end, uint64_t walk, Forest* forest,
                     Units* units) {
   for (size_t at = 0; at < points.size(); at += 3) {
-    Line line = {{points[at], points[at + 1], points[at + 2]}, {0, 0, 0}, at + 3 == points.size()};
+    WalkLine line = {{points[at], points[at + 1], points[at + 2]}, {0, 0, 0}, at + 3 == points.size()};
     if (line.is_ray && end == 6) break;
     for (size_t k = 0; k < 3 && !line.is_ray; ++k) line.d[k] = points[at + 3 + k] - line.a[k];
     if (line.is_ray) line.d[end / 2] = end % 2 == 0 ? 1 : -1;

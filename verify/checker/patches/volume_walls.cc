@@ -58,7 +58,7 @@ int compare(const Axis& a, const Axis& b) {
   return 0;
 }
 
-struct Face {                 // with ranks instead of numbers
+struct WallFace {                 // with ranks instead of numbers
   size_t axis[2][2];          // for each parameter, as it is and reversed
   uint64_t n[2];              // control points along each parameter
   std::vector<size_t> point;  // the second parameter fastest
@@ -85,7 +85,7 @@ class Faces {
     rank_axes();
     rank_points();
   }
-  const std::vector<Face>& ranked() const { return faces_; }
+  const std::vector<WallFace>& ranked() const { return faces_; }
 
  private:
   void rank_axes() {
@@ -172,14 +172,14 @@ class Faces {
 
   const Ratio one_ = Ratio(Big(1));
   std::vector<Entity> lowered_;
-  std::vector<Face> faces_;
+  std::vector<WallFace> faces_;
 };
 
 struct Form {  // the least list of a face, and the symmetries that lead to it
   std::vector<size_t> list;
   bool by_even, by_odd;
 
-  explicit Form(const Face& face)
+  explicit Form(const WallFace& face)
       : list(face.list(false, false, false)), by_even(true), by_odd(false) {
     for (int s = 1; s < 8; ++s) {
       const bool exchange = (s & 1) != 0, first = (s & 2) != 0, second = (s & 4) != 0;
@@ -197,7 +197,7 @@ std::vector<bool> are_walls(const std::vector<Entity>& entities) {
   std::vector<Form> forms;
   {
     const Faces faces(entities);
-    for (const Face& face : faces.ranked()) forms.push_back(Form(face));
+    for (const WallFace& face : faces.ranked()) forms.push_back(Form(face));
   }
   std::vector<size_t> order(forms.size());
   std::iota(order.begin(), order.end(), size_t(0));

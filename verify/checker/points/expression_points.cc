@@ -7,7 +7,7 @@
 namespace {
 
 const size_t kMostTable = 12;  // variables whose functions are tabulated
-const int kDirections = 6, kOn = 12, kOpen = 13, kNotCovered = 14;  // codes
+const int kDirections = 6, kOnSurface = 12, kOpen = 13, kNotCovered = 14;  // codes
 
 enum Value3 { kZero, kOne, kMixed };
 enum Place3 { kOut, kIn, kOnBoundary };
@@ -158,7 +158,7 @@ class ExpressionCheck {
     const int code = int(bytes_.at_most(bytes_.body.natural(1), kNotCovered, "there is no code"));
     is_marked_ = code == kNotCovered;
     if (code >= kOpen) return kMixed;
-    if (code == kOn) {
+    if (code == kOnSurface) {
       known->place = solid.read_on(q, &bytes_, &work_);
       known->is_on = true;
       return kMixed;

@@ -4,8 +4,8 @@
 
 namespace {
 
-struct Reader : Bytes {
-  Reader(const std::vector<Entity>& volumes, const Body& bytes) : Bytes(bytes) {
+struct VModelReader : Bytes {
+  VModelReader(const std::vector<Entity>& volumes, const Body& bytes) : Bytes(bytes) {
     require(body.begins_with("VTVM"), "B1", "another magic number");
     require(body.count(10) == volumes.size(), "B1", "the file's entities are", volumes.size());
     for (const Entity& e : volumes) {
@@ -83,7 +83,7 @@ struct Reader : Bytes {
 }  // namespace
 
 VBody read_vbody(const std::vector<Entity>& volumes, const Body& bytes) {
-  Reader r(volumes, bytes);
+  VModelReader r(volumes, bytes);
   for (VCell& cell : r.out.cells)
     for (size_t axis = 0; axis < 3; ++axis) r.breaks(&cell, axis);
   r.codes();

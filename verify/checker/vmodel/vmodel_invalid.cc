@@ -10,8 +10,8 @@ enum { kFlat, kLeftHanded, kSingular, kOverlap, kCurve, kCorner };
 const char* const kNames[] = {"flat",    "left-handed",       "singular",
                               "overlap", "curve-nonmanifold", "point-nonmanifold"};
 
-struct Reader : Bytes {
-  Reader(const std::vector<Entity>& entities, const char* magic, const Body& bytes)
+struct InvalidReader : Bytes {
+  InvalidReader(const std::vector<Entity>& entities, const char* magic, const Body& bytes)
       : Bytes(bytes), volumes(entities) {
     require(body.begins_with(magic), "B1", "another magic number");
     require(body.natural(4) == volumes.size(), "B1", "the file's entities are", volumes.size());
@@ -130,7 +130,7 @@ std::string check_vmodel_invalid(const Statement& s, std::string model_text, con
                         Units::of_bytes(s.number.at("subject_bytes") + bytes.left())};
   model.units.id = "B2";
   const std::vector<Entity>& volumes = model.volumes;
-  Reader reader(volumes, s.claim->magic, bytes);
+  InvalidReader reader(volumes, s.claim->magic, bytes);
   Finding& f = reader.f;
 
   require(volumes.size() <= kMostCells, "B2", "too many cells:", volumes.size());

@@ -21,8 +21,12 @@ const char kAllFormats[] =
 const char kVolumes[] = "vjson,itd,g2,mfem";
 const char kStarNumbers[] =
     " bodies boxes edges flipped genus patches shells subject_bytes vertices";
+const char kTurned[] =
+    " bodies boxes edges flipped genus patches shells subject_bytes vertices winding";
 const char kCollarNumbers[] =
     " bodies boxes cells edges flipped genus patches shells subject_bytes vertices";
+const char kFindingText[] =
+    " body_sha256 certificate claim finding subject_format subject_sha256 tool";
 const char kStarText[] = " body_sha256 certificate claim subject_format subject_sha256 tool";
 
 void add_keys(const std::string& names, const char* kind,
@@ -55,19 +59,13 @@ const std::vector<Claim>& all_claims() {
        " answers_bytes on points subject_bytes undecided", " as_indexed winding", check_decimals,
        check_points},
       {"star-box-1", "VTSB", kSplines, kStarText, kStarNumbers, "", nullptr, check_star_box},
-      {"star-box-turned-1", "VTSB", kSplines, kStarText,
-       " bodies boxes edges flipped genus patches shells subject_bytes vertices winding", "",
-       nullptr, check_star_box},
+      {"star-box-turned-1", "VTSB", kSplines, kStarText, kTurned, "", nullptr, check_star_box},
       {"star-box-2", "VTS2", kSplines, kStarText, kStarNumbers, "", nullptr, check_star_box},
-      {"star-box-turned-2", "VTS2", kSplines, kStarText,
-       " bodies boxes edges flipped genus patches shells subject_bytes vertices winding", "",
-       nullptr, check_star_box},
-      {"patch-invalid-1", "VTPI", kSplines,
-       " body_sha256 certificate claim finding subject_format subject_sha256 tool",
+      {"star-box-turned-2", "VTS2", kSplines, kStarText, kTurned, "", nullptr, check_star_box},
+      {"patch-invalid-1", "VTPI", kSplines, kFindingText,
        " flipped opposite patches same subject_bytes", "", check_finding, check_patch_invalid},
-      {"patch-invalid-2", "VTI2", kSplines,
-       " body_sha256 certificate claim finding subject_format subject_sha256 tool",
-       " flipped patches subject_bytes", "", check_finding_2, check_patch_invalid_2},
+      {"patch-invalid-2", "VTI2", kSplines, kFindingText, " flipped patches subject_bytes", "",
+       check_finding_2, check_patch_invalid_2},
       {"volume-folded-1", "VTVF", kVolumes, kStarText, " entity subject_bytes volumes", "", nullptr,
        check_volume_folded},
       {"collar-1", "VTSB", kSplines, kStarText, kCollarNumbers, "", nullptr, check_collar},
@@ -76,15 +74,16 @@ const std::vector<Claim>& all_claims() {
        " bodies boxes cells euler genus half_v_surfaces patches pieces reversed shells singular "
        "subject_bytes v_curves v_points v_surfaces",
        "", nullptr, check_vmodel},
-      {"vmodel-invalid-1", "VTVI", kVolumes,
-       " body_sha256 certificate claim finding subject_format subject_sha256 tool",
-       " cells subject_bytes", "", check_vmodel_finding, check_vmodel_invalid},
+      {"vmodel-invalid-1", "VTVI", kVolumes, kFindingText, " cells subject_bytes", "",
+       check_vmodel_finding, check_vmodel_invalid},
       {"microstructure-1", "VTMS", "vmicro", kStarText,
        " bridges cells components genus glued_caps shells subject_bytes tiles", "", nullptr,
        check_micro},
       {"dms-solid-1", "VTDM", "vdms", kStarText,
        " bodies control_points genus leaves patches shells subject_bytes tetrahedra", "", nullptr,
        check_dms},
+      {"dms-invalid-1", "VTDI", "vdms", kFindingText, " subject_bytes tetrahedra", "",
+       check_dms_finding, check_dms_invalid},
       {"micro-inside-1", "VTIM", "vmicro",
        " body_sha256 certificate claim model_format model_sha256 reading_rule skin subject_format "
        "subject_sha256 tool",

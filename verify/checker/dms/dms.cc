@@ -5,24 +5,19 @@
 #include "../patches/star_box.h"
 #include "dms_claim.h"
 
-namespace {
-
-const uint64_t kFreeDmsUnits = 1 << 24, kDmsUnitsOfByte = 1 << 8;
-
-}  // namespace
-
 std::string check_dms(const Statement& s, std::string model_text, const Body& bytes) {
   const DmsFile file = read_dms(model_text);
   model_text = std::string();
   const uint64_t file_bytes = s.number.at("subject_bytes");
   const DmsBody body = read_dms_body(file, bytes);
   DmsModel model(file);
-  Units units = {0, kFreeDmsUnits + kDmsUnitsOfByte * (file_bytes + bytes.left()), "E3"};
-  check_dms_domain(&model);
+  Units units = dms_units(file_bytes + bytes.left());
+  find_dms_boundary(&model);
+  check_dms_domain(model);
   require(model.faces.size() == body.faces, "B1", "the faces of the boundary are",
           model.faces.size());
   const DmsNumbers of_domain = check_dms_boundary(model, body.domain, file_bytes);
-  check_dms_clouds(model, body, &units);
+  check_dms_clouds(model, body.planes, &units);
   check_dms_jacobian(model, body, &units);
   const DmsNumbers of_surface = check_dms_surface(model, body, file_bytes, &units);
 

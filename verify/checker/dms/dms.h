@@ -67,6 +67,7 @@ DmsBody read_dms_body(const DmsFile& file, const Body& body);  // B1 but F, B2
 struct DmsFace {  // of the boundary
   std::array<uint32_t, 3> vertex;
   size_t tetrahedron;
+  int number;  // of the tetrahedron's faces
 };
 
 struct DmsBoxes;
@@ -77,7 +78,7 @@ struct DmsModel {
   const DmsFile& file;
   std::vector<DmsPoint> points;               // all different
   std::vector<std::vector<uint32_t>> clouds;  // numbers of points
-  std::vector<DmsFace> faces;                 // of the boundary; by check_dms_domain
+  std::vector<DmsFace> faces;                 // of the boundary; by find_dms_boundary
   std::vector<DmsIndex> gammas;               // of the sum n - 1
 
   uint32_t knot(size_t tetrahedron, size_t corner, int i) const {
@@ -88,6 +89,8 @@ struct DmsModel {
     return points[knot(tetrahedron, c, 0)];
   }
 };
+// The work that is allowed: of the file's and the body's bytes.
+inline Units dms_units(uint64_t bytes) { return Units{0, (1 << 24) + (bytes << 8), "E3"}; }
 // Four corners: face m is opposite to corner m, and seen from outside.
 extern const int kDmsFace[4][3];
 
@@ -98,10 +101,16 @@ struct DmsNumbers {
 DmsNumbers check_dms_boxes(const std::vector<std::vector<Ratio>>& triangles, int degree,
                            const Body& part, uint64_t file_bytes, const char* id);
 
-void check_dms_domain(DmsModel* model);  // D1, D2
-DmsNumbers check_dms_boundary(const DmsModel& model, const Body& part, uint64_t file_bytes);  // D3
-void check_dms_clouds(const DmsModel& model, const DmsBody& body, Units* units);    // E1 to E3
-void check_dms_jacobian(const DmsModel& model, const DmsBody& body, Units* units);  // J1 to J3
+// A face that occurs twice in one order is in the boundary twice.
+void find_dms_boundary(DmsModel* model);
+void check_dms_domain(const DmsModel& model);  // D1, D2
+// D3.
+DmsNumbers check_dms_boundary(const DmsModel& model, const Body& part, uint64_t file_bytes);
+// E1 to E3. planes: the lists of the faces of the boundary.
+void check_dms_clouds(const DmsModel& model, const std::vector<std::vector<Ratio>>& planes,
+                      Units* units);
+// J1 to J3.
+void check_dms_jacobian(const DmsModel& model, const DmsBody& body, Units* units);
 // T1 to T3.
 DmsNumbers check_dms_surface(const DmsModel& model, const DmsBody& body, uint64_t file_bytes,
                              Units* units);

@@ -1,35 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // dms_body.cc: B1, but for F, and B2 of docs/certificates/dms-solid.md.
-#include "dms.h"
+#include "dms_bytes.h"
 
 namespace {
 
 const int kMostDmsLevels = 64;
-const int64_t kMostBodyBits = 1024, kMostFileBits = 256, kMostWordBits = 64;
+const int64_t kMostFileBits = 256, kMostWordBits = 64;
 
-struct DmsBytes : Bytes {
-  explicit DmsBytes(const Body& bytes) : Bytes(bytes) {}
+struct DmsProofBytes : DmsBytes {
+  explicit DmsProofBytes(const Body& bytes) : DmsBytes(bytes) {}
 
-  uint64_t number_of(uint64_t bytes_each) {  // of elements that follow, a varint
-    const uint64_t n = varint();
-    require(n <= body.left() / bytes_each, "B1", "too few bytes for the count", n);
-    return n;
-  }
-  std::vector<Ratio> rationals(size_t n) {
-    std::vector<Ratio> r;
-    while (r.size() < n) r.push_back(rational());
-    return r;
-  }
-  std::vector<Ratio> planes() {
-    std::vector<Ratio> r;
-    for (uint64_t n = number_of(8); n > 0; --n) {
-      for (int k = 0; k < 4; ++k) r.push_back(rational());
-      const Ratio* const v = &r[r.size() - 4];
-      require(v[0].n.sign() != 0 || v[1].n.sign() != 0 || v[2].n.sign() != 0, "B1",
-              "a plane has no normal");
-    }
-    return r;
-  }
   DmsTree tree() {
     DmsTree t;
     uint64_t open[kMostDmsLevels + 1] = {1};  // nodes to come, by level
@@ -76,16 +56,41 @@ struct DmsBytes : Bytes {
   }
 };
 
+}  // namespace
+
+uint64_t DmsBytes::number_of(uint64_t bytes_each) {
+  const uint64_t n = varint();
+  require(n <= body.left() / bytes_each, "B1", "too few bytes for the count", n);
+  return n;
+}
+std::vector<Ratio> DmsBytes::rationals(size_t n) {
+  std::vector<Ratio> r;
+  while (r.size() < n) r.push_back(rational());
+  return r;
+}
+std::vector<Ratio> DmsBytes::planes() {
+  std::vector<Ratio> r;
+  for (uint64_t n = number_of(8); n > 0; --n) {
+    for (int k = 0; k < 4; ++k) r.push_back(rational());
+    const Ratio* const v = &r[r.size() - 4];
+    require(v[0].n.sign() != 0 || v[1].n.sign() != 0 || v[2].n.sign() != 0, "B1",
+            "a plane has no normal");
+  }
+  return r;
+}
 void check_short(const std::vector<Ratio>& v, int64_t most) {
   for (const Ratio& x : v)
     require(x.n.bits() <= most && x.d.bits() <= most, "B2", "a number is too long, bits",
             uint64_t(std::max(x.n.bits(), x.d.bits())));
 }
-
-}  // namespace
+void check_dms_file(const DmsFile& file) {
+  require(file.n <= kMostProvedDegree, "B2", "the degree is", uint64_t(file.n));
+  check_short(file.knots, kMostFileBits);
+  check_short(file.values, kMostFileBits);
+}
 
 DmsBody read_dms_body(const DmsFile& file, const Body& body) {
-  DmsBytes b(body);
+  DmsProofBytes b(body);
   DmsBody r;
   require(b.body.begins_with("VTDM"), "B1", "another magic number");
   const uint64_t tetrahedra = b.body.natural(4);
@@ -108,19 +113,17 @@ DmsBody read_dms_body(const DmsFile& file, const Body& body) {
   r.surface = b.part();
   b.end();
 
-  require(file.n <= kMostProvedDegree, "B2", "the degree is", uint64_t(file.n));
-  check_short(r.added, kMostBodyBits);
+  check_dms_file(file);
+  check_short(r.added, kMostDmsBodyBits);
   for (const DmsTree& t : r.trees) {
     check_short(t.cuts, kMostWordBits);
     for (const DmsLeaf& leaf : t.leaves) {
       check_short(leaf.r, kMostWordBits);
-      check_short(leaf.planes, kMostBodyBits);
+      check_short(leaf.planes, kMostDmsBodyBits);
     }
   }
-  for (const std::vector<Ratio>& v : r.planes) check_short(v, kMostBodyBits);
+  for (const std::vector<Ratio>& v : r.planes) check_short(v, kMostDmsBodyBits);
   for (const std::vector<DmsTile>& tiles : r.tiles)
-    for (const DmsTile& t : tiles) check_short(t.planes, kMostBodyBits);
-  check_short(file.knots, kMostFileBits);
-  check_short(file.values, kMostFileBits);
+    for (const DmsTile& t : tiles) check_short(t.planes, kMostDmsBodyBits);
   return r;
 }

@@ -8,6 +8,9 @@ DmsBox::DmsBox() {
   std::fill(lo, lo + 3, far);
   std::fill(hi, hi + 3, -far);
 }
+DmsBox::DmsBox(const std::vector<const DmsPoint*>& points) : DmsBox() {
+  for (const DmsPoint* p : points) add(*p);
+}
 void DmsBox::add(const DmsPoint& p) {
   for (int k = 0; k < 3; ++k) {
     lo[k] = std::min(lo[k], p.least(k));
@@ -60,6 +63,18 @@ std::vector<uint32_t> DmsBoxes::near(const DmsBox& b) const {
   }
   std::sort(r.begin(), r.end());
   return r;
+}
+
+std::vector<DmsBox> dms_boxes_of_corners(const DmsModel& model) {
+  std::vector<DmsBox> r(model.file.tetrahedra.size());
+  for (size_t t = 0; t < r.size(); ++t)
+    for (size_t c = 0; c < 4; ++c) r[t].add(model.corner(t, c));
+  return r;
+}
+void add_dms_faces(const DmsPoint* const* corners, std::vector<DmsPlane>* planes) {
+  for (const auto& f : kDmsFace)
+    planes->push_back(
+        DmsPlane::of(*corners[size_t(f[0])], *corners[size_t(f[1])], *corners[size_t(f[2])]));
 }
 
 DmsSides::DmsSides(std::vector<const DmsPoint*> of, const std::vector<DmsPlane>& planes,

@@ -7,6 +7,7 @@ struct DmsBox {  // a closed one, rounded outward; at first empty
   double lo[3], hi[3];
 
   DmsBox();
+  explicit DmsBox(const std::vector<const DmsPoint*>& points);
   void add(const DmsPoint& p);
   void add(const DmsBox& b);
   bool may_meet(const DmsBox& b) const {
@@ -50,6 +51,12 @@ struct DmsMask {
     return *this;
   }
 };
+// The boxes of the tetrahedra of knots 0.
+std::vector<DmsBox> dms_boxes_of_corners(const DmsModel& model);
+// Adds the planes of the faces of a tetrahedron: if d > 0, it lies on their
+// sides <= 0.
+void add_dms_faces(const DmsPoint* const* corners, std::vector<DmsPlane>* planes);
+
 const uint64_t kDmsAxes = 63;  // the bits of planes across axes
 
 struct DmsSides {

@@ -33,7 +33,7 @@ void check_volumes(const DmsModel& model) {  // E2
 
 struct DmsHulls {  // E3
   const DmsModel& model;
-  const DmsBody& body;
+  const std::vector<std::vector<Ratio>>& planes;
   Units* units;
   std::vector<DmsBox> boxes;  // of the tetrahedra
 
@@ -57,19 +57,16 @@ struct DmsHulls {  // E3
     for (uint32_t v : face.vertex)
       for (int i = 0; i <= model.file.sum(); ++i) box.add(model.points[model.clouds[v][size_t(i)]]);
     std::vector<DmsPlane> listed;
-    for (size_t i = 0; i < body.planes[f].size(); i += 4)
-      listed.push_back(DmsPlane::of(&body.planes[f][i]));
+    for (size_t i = 0; i < planes[f].size(); i += 4) listed.push_back(DmsPlane::of(&planes[f][i]));
     for (uint32_t t : tree.near(box)) check(face, hulls, listed, f, t);
   }
   void check(const DmsFace& face, const std::vector<DmsIndex>& hulls,
              const std::vector<DmsPlane>& listed, size_t f, size_t t) {
     std::vector<const DmsPoint*> corners;
     for (size_t c = 0; c < 4; ++c) corners.push_back(&model.corner(t, c));
-    std::vector<DmsPlane> planes = listed;
-    for (const auto& v : kDmsFace)
-      planes.push_back(
-          DmsPlane::of(*corners[size_t(v[0])], *corners[size_t(v[1])], *corners[size_t(v[2])]));
-    DmsSides sides(corners, planes, false);
+    std::vector<DmsPlane> all = listed;
+    add_dms_faces(corners.data(), &all);
+    DmsSides sides(corners, all, false);
     for (const DmsIndex& g : hulls) {
       DmsMask mask = sides.all();
       for (size_t c = 0; c < 3; ++c)
@@ -84,14 +81,12 @@ struct DmsHulls {  // E3
 
 }  // namespace
 
-void check_dms_clouds(const DmsModel& model, const DmsBody& body, Units* units) {
+void check_dms_clouds(const DmsModel& model, const std::vector<std::vector<Ratio>>& planes,
+                      Units* units) {
   check_equal_values(model.file);
   check_volumes(model);
-  DmsHulls hulls = {model, body, units, {}};
-  for (size_t t = 0; t < model.file.tetrahedra.size(); ++t) {
-    hulls.boxes.push_back(DmsBox());
-    for (size_t c = 0; c < 4; ++c) hulls.boxes.back().add(model.corner(t, c));
-  }
+  DmsHulls hulls = {model, planes, units, {}};
+  hulls.boxes = dms_boxes_of_corners(model);
   const DmsBoxes tree(hulls.boxes);
   units->id = "E3";
   for (size_t f = 0; f < model.faces.size(); ++f) hulls.check(tree, f);

@@ -27,39 +27,52 @@ DmsModel::DmsModel(const DmsFile& model) : file(model), gammas(dms_indices(model
   }
 }
 
-void check_dms_domain(DmsModel* model) {
-  typedef std::array<uint32_t, 3> Face;
-  const DmsFile& file = model->file;
-  std::vector<std::pair<Face, size_t>> faces;  // the least vertex first; 4 tetrahedron + face
-  for (size_t t = 0; t < file.tetrahedra.size(); ++t) {
-    const DmsPlane plane =
-        DmsPlane::of(model->corner(t, 0), model->corner(t, 1), model->corner(t, 2));
-    require(plane.side(model->corner(t, 3)) > 0, "D1", "d is not positive, of tetrahedron", t);
+namespace {
+
+typedef std::array<uint32_t, 3> DmsOrder;  // a cyclic order of vertices, the least one first
+// All faces, sorted; with 4 tetrahedron + number.
+std::vector<std::pair<DmsOrder, size_t>> sorted_faces(const DmsFile& file) {
+  std::vector<std::pair<DmsOrder, size_t>> faces;
+  for (size_t t = 0; t < file.tetrahedra.size(); ++t)
     for (size_t f = 0; f < 4; ++f) {
-      Face face;
+      DmsOrder face;
       for (size_t i = 0; i < 3; ++i) face[i] = file.tetrahedra[t][size_t(kDmsFace[f][i])];
       std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
       faces.push_back(std::make_pair(face, 4 * t + f));
     }
-  }
   std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+}  // namespace
+
+void find_dms_boundary(DmsModel* model) {
+  const std::vector<std::pair<DmsOrder, size_t>> faces = sorted_faces(model->file);
   std::vector<size_t> boundary;
-  for (size_t i = 0; i < faces.size(); ++i) {
-    const Face& f = faces[i].first;
-    require(i == 0 || faces[i - 1].first != f, "D2", "a face occurs twice, of tetrahedron",
-            faces[i].second / 4);
-    const std::pair<Face, size_t> opposite(Face{{f[0], f[2], f[1]}}, 0);
+  for (const std::pair<DmsOrder, size_t>& face : faces) {
+    const DmsOrder& f = face.first;
+    const std::pair<DmsOrder, size_t> opposite(DmsOrder{{f[0], f[2], f[1]}}, 0);
     const auto at = std::lower_bound(faces.begin(), faces.end(), opposite);
-    if (at == faces.end() || at->first != opposite.first) boundary.push_back(faces[i].second);
+    if (at == faces.end() || at->first != opposite.first) boundary.push_back(face.second);
   }
   std::sort(boundary.begin(), boundary.end());
-  require(!boundary.empty(), "D2", "there is no boundary");
   for (size_t code : boundary) {
-    DmsFace face = {{{0, 0, 0}}, code / 4};
+    DmsFace face = {{{0, 0, 0}}, code / 4, int(code % 4)};
     for (size_t i = 0; i < 3; ++i)
-      face.vertex[i] = file.tetrahedra[code / 4][size_t(kDmsFace[code % 4][i])];
+      face.vertex[i] = model->file.tetrahedra[code / 4][size_t(kDmsFace[code % 4][i])];
     model->faces.push_back(face);
   }
+}
+void check_dms_domain(const DmsModel& model) {
+  for (size_t t = 0; t < model.file.tetrahedra.size(); ++t) {
+    const DmsPlane plane = DmsPlane::of(model.corner(t, 0), model.corner(t, 1), model.corner(t, 2));
+    require(plane.side(model.corner(t, 3)) > 0, "D1", "d is not positive, of tetrahedron", t);
+  }
+  const std::vector<std::pair<DmsOrder, size_t>> faces = sorted_faces(model.file);
+  for (size_t i = 1; i < faces.size(); ++i)
+    require(faces[i - 1].first != faces[i].first, "D2", "a face occurs twice, of tetrahedron",
+            faces[i].second / 4);
+  require(!model.faces.empty(), "D2", "there is no boundary");
 }
 
 DmsNumbers check_dms_boxes(const std::vector<std::vector<Ratio>>& triangles, int degree,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // dms_jacobian.cc: J1 to J3 of docs/certificates/dms-solid.md.
-#include "dms_near.h"
+#include "dms_pieces.h"
 
 namespace {
 
@@ -8,6 +8,7 @@ const size_t kKeptMatrices = 1 << 15;
 const int kDmsEdge[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
 typedef std::array<DmsPoint, 4> Corners;
+std::vector<const DmsPoint*> pointers(const Corners& c) { return {&c[0], &c[1], &c[2], &c[3]}; }
 
 DmsPoint point_between(const DmsPoint& a, const DmsPoint& b, const Ratio& t) {
   const Big f = (t.d - t.n) * b.x[3], g = t.n * a.x[3];
@@ -45,8 +46,7 @@ struct DmsJacobian {
     Corners root;
     for (size_t c = 0; c < 4; ++c) root[c] = model.corner(t, c);
     std::vector<DmsPlane> planes;  // of the faces of the root
-    for (const auto& f : kDmsFace)
-      planes.push_back(DmsPlane::of(root[size_t(f[0])], root[size_t(f[1])], root[size_t(f[2])]));
+    add_dms_faces(pointers(root).data(), &planes);
     std::vector<Corners> open = {root};
     size_t cut = 0, leaf = 0;
     for (uint8_t symbol : tree.symbols) {
@@ -66,24 +66,15 @@ struct DmsJacobian {
       open.push_back(first);
     }
   }
-  void check_leaf(const Corners& tau, std::vector<DmsPlane> planes, const DmsLeaf& leaf) {
+  void check_leaf(const Corners& tau, const std::vector<DmsPlane>& planes, const DmsLeaf& leaf) {
     const std::vector<Big> r = dms_integers(leaf.r, nullptr);
     require(dms_determinant(r).sign() > 0, "J3", "det R is not positive, in leaf", leaf_number);
-    std::vector<const DmsPoint*> corners;
-    DmsBox box;
-    for (const DmsPoint& p : tau) {
-      corners.push_back(&p);
-      box.add(p);
-    }
-    for (const auto& f : kDmsFace)
-      planes.push_back(DmsPlane::of(tau[size_t(f[0])], tau[size_t(f[1])], tau[size_t(f[2])]));
-    for (size_t i = 0; i < leaf.planes.size(); i += 4)
-      planes.push_back(DmsPlane::of(&leaf.planes[i]));
-    DmsSides sides(corners, planes, false);
+    const std::vector<const DmsPoint*> corners = pointers(tau);
+    DmsSides sides = dms_sides_of_leaf(corners, planes, leaf.planes);
     units->id = leaf.is_polynomial ? "J2" : "J1";
-    const std::vector<DmsTerm> terms = near.not_excluded(box, &sides, units);
+    const std::vector<DmsTerm> terms = near.not_excluded(DmsBox(corners), &sides, units);
     if (leaf.is_polynomial) {
-      check_cuts(terms, &sides);
+      near.check_cuts(terms, &sides, units, "a cut is in the way, in leaf", leaf_number);
       check_polynomial(corners.data(), r, terms);
     } else {
       for (const DmsTerm& term : terms)
@@ -92,27 +83,13 @@ struct DmsJacobian {
     }
     ++leaf_number;
   }
-  void check_cuts(const std::vector<DmsTerm>& terms, DmsSides* sides) {
-    near.each_cut(terms, units, [&](const std::array<uint32_t, 3>& knots) {
-      DmsMask mask = sides->all();
-      for (uint32_t k : knots) mask &= sides->mask(model, k);
-      if (mask.any()) return;
-      const DmsPlane plane = near.plane_of(knots);
-      require(plane.is_zero() || sides->is_beside(plane), "J2", "a cut is in the way, in leaf",
-              leaf_number);
-    });
-  }
   void check_polynomial(const DmsPoint* const* corners, const std::vector<Big>& r,
                         const std::vector<DmsTerm>& terms) {
     const int n = model.file.n;
     if (!interpolation) interpolation.reset(new DmsInterpolation(n, 4));
-    std::vector<Ratio> values;
-    for (const DmsIndex& i : interpolation->indices) {
-      const DmsPoint u = interpolation->point(i, corners);
-      const std::vector<Ratio> v = DmsPlace(model, u, nullptr).value(terms, units);
-      values.insert(values.end(), v.begin(), v.end());
-    }
-    const std::vector<Ratio> b = interpolation->coefficients(values);
+    const std::vector<Ratio> b = interpolation->coefficients(corners, [&](const DmsPoint& u) {
+      return DmsPlace(model, u, nullptr).value(terms, units);
+    });
     for (const DmsIndex& g : model.gammas) {
       const Ratio* image[4];
       for (size_t m = 0; m < 4; ++m) image[m] = &b[3 * dms_place(dms_raised(g, m), n)];

@@ -50,6 +50,16 @@ std::vector<DmsTerm> DmsNear::filtered(
     if (keeps(knots_of(term))) r.push_back(term);
   return r;
 }
+void DmsNear::check_cuts(const std::vector<DmsTerm>& terms, DmsSides* sides, Units* units,
+                         const char* why, size_t number) const {
+  each_cut(terms, units, [&](const std::array<uint32_t, 3>& knots) {
+    DmsMask mask = sides->all();
+    for (uint32_t k : knots) mask &= sides->mask(model, k);
+    if (mask.any()) return;
+    const DmsPlane plane = plane_of(knots);
+    require(plane.is_zero() || sides->is_beside(plane), units->id, why, number);
+  });
+}
 void DmsNear::each_cut(const std::vector<DmsTerm>& terms, Units* units,
                        const std::function<void(const std::array<uint32_t, 3>& knots)>& use) const {
   std::set<std::array<uint32_t, 3>> seen;

@@ -7,6 +7,8 @@
 struct DmsNear {
   explicit DmsNear(const DmsModel& model);
 
+  const DmsModel& model;
+
   // Those without a plane of `sides`, by the closed box of its corners.
   std::vector<DmsTerm> not_excluded(const DmsBox& box, DmsSides* sides, Units* units) const;
   // Those of them that T2 keeps: keeps(their different knots) decides.
@@ -16,13 +18,16 @@ struct DmsNear {
   // use(knots) for all triangles of different knots of the terms, also flat ones, once for each set of knots.
   void each_cut(const std::vector<DmsTerm>& terms, Units* units,
                 const std::function<void(const std::array<uint32_t, 3>& knots)>& use) const;
+  // Rejects by units->id, unless each cut has a plane of `sides` or its own one
+  // beside the corners.
+  void check_cuts(const std::vector<DmsTerm>& terms, DmsSides* sides, Units* units, const char* why,
+                  size_t number) const;
   std::vector<uint32_t> knots_of(const DmsTerm& term) const;  // different ones, ascending
   DmsPlane plane_of(const std::array<uint32_t, 3>& knots) const {
     return DmsPlane::of(model.points[knots[0]], model.points[knots[1]], model.points[knots[2]]);
   }
 
  private:
-  const DmsModel& model;
   std::vector<DmsBox> boxes;  // of the knots of tetrahedra
   std::unique_ptr<DmsBoxes> tree;
 };

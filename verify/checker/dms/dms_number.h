@@ -49,6 +49,10 @@ struct DmsPlane {  // a.x + a[3] = 0
   int side(const DmsPoint& p) const;
 };
 
+inline Big dms_dot(const DmsPlane& a, const DmsPlane& b) {  // of their normals
+  return a.a[0] * b.a[0] + a.a[1] * b.a[1] + a.a[2] * b.a[2];
+}
+
 // The linear part, times a positive number, row by row, of the affine map that takes four points to four images of
 // three coordinates each. REQUIRES d of the points > 0.
 std::vector<Big> dms_linear_part(const DmsPoint* const* points, const Ratio* const* images);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // dms_tiles.cc: T1 to T3 of docs/certificates/dms-solid.md.
-#include "dms_near.h"
+#include "dms_pieces.h"
 
 namespace {
 
@@ -39,7 +39,7 @@ struct DmsTiles {
         require(planes[f].value(*p[c]).sign() == 0, "T1", "a tile is not in the plane of face", f);
         steps.push_back(DmsStep(all[i].second.corner[c], all[i].second.corner[(c + 1) % 3]));
       }
-      require(dot(DmsPlane::of(*p[0], *p[1], *p[2]), planes[f]).sign() > 0, "T1",
+      require(dms_dot(DmsPlane::of(*p[0], *p[1], *p[2]), planes[f]).sign() > 0, "T1",
               "a tile is turned, or has no area, of face", f);
     }
     std::sort(steps.begin(), steps.end());
@@ -62,9 +62,6 @@ struct DmsTiles {
     }
     require(rim.empty(), "T1", "the rim has more parts, of face", f);
   }
-  static Big dot(const DmsPlane& a, const DmsPlane& b) {
-    return a.a[0] * b.a[0] + a.a[1] * b.a[1] + a.a[2] * b.a[2];
-  }
   // Whether b lies on the segment from q to r, and farther than a, which lies on it.
   static bool is_step(const DmsPoint& q, const DmsPoint& r, const DmsPoint& a, const DmsPoint& b) {
     if (!DmsPlane::of(q, r, b).is_zero()) return false;
@@ -80,72 +77,15 @@ struct DmsTiles {
   std::vector<Ratio> check_tile(size_t number, const DmsNear& near,
                                 const DmsInterpolation& interpolation) const {
     const DmsTile& tile = all[number].second;
-    std::vector<const DmsPoint*> corners;
-    DmsBox box;
-    for (uint64_t c : tile.corner) {
-      corners.push_back(&point(c));
-      box.add(*corners.back());
-    }
-    const DmsPlane own = DmsPlane::of(*corners[0], *corners[1], *corners[2]);
-    std::vector<DmsPlane> upright;
-    for (size_t c = 0; c < 3; ++c)
-      upright.push_back(upright_plane(*corners[c], *corners[(c + 1) % 3], own));
-    for (size_t i = 0; i < tile.planes.size(); i += 4)
-      upright.push_back(DmsPlane::of(&tile.planes[i]));
-    DmsSides sides(corners, upright, true);
+    const std::vector<const DmsPoint*> corners = {&point(tile.corner[0]), &point(tile.corner[1]),
+                                                  &point(tile.corner[2])};
     units->id = "T2";
-    const auto is_in_the_way = [&](const std::vector<uint32_t>& knots) {
-      return !is_excluded(knots, own, &sides);
-    };
-    const std::vector<DmsTerm> terms = near.filtered(box, &sides, units, is_in_the_way);
-    near.each_cut(terms, units, [&](const std::array<uint32_t, 3>& knots) {
-      if (is_excluded(std::vector<uint32_t>(knots.begin(), knots.end()), own, &sides)) return;
-      const DmsPlane plane = near.plane_of(knots);
-      bool is_inside = true;
-      for (uint32_t k : knots) is_inside = is_inside && own.side(model.points[k]) == 0;
-      require(plane.is_zero() || is_inside || sides.is_beside(plane), "T2",
-              "a cut is in the way of tile", number);
-    });
+    const std::vector<DmsTerm> terms = terms_on_triangle(near, corners, tile.planes, units, number);
     units->id = "T3";
-    const DmsPoint inside = middle_of(model.faces[all[number].first].tetrahedron);
-    std::vector<Ratio> values;
-    for (const DmsIndex& i : interpolation.indices) {
-      const DmsPoint u = interpolation.point(i, corners.data());
-      const std::vector<Ratio> v = DmsPlace(model, u, &inside).value(terms, units);
-      values.insert(values.end(), v.begin(), v.end());
-    }
-    return interpolation.coefficients(values);
-  }
-  // The plane that contains a, b and the normal of a plane.
-  static DmsPlane upright_plane(const DmsPoint& a, const DmsPoint& b, const DmsPlane& along) {
-    Big e[3], v[4];
-    for (int k = 0; k < 3; ++k) e[k] = b.x[k] * a.x[3] - a.x[k] * b.x[3];
-    for (int k = 0; k < 3; ++k) {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      const Big x = e[i] * along.a[j] - e[j] * along.a[i];
-      v[k] = x * a.x[3];
-      v[3] = v[3] - x * a.x[k];
-    }
-    return DmsPlane::of(v);
-  }
-  bool is_excluded(const std::vector<uint32_t>& knots, const DmsPlane& own, DmsSides* sides) const {
-    bool above = false, below = false;
-    DmsMask whole = sides->all(), inside = whole;
-    for (uint32_t k : knots) {
-      const int side = own.side(model.points[k]);
-      above = above || side > 0;
-      below = below || side < 0;
-      whole &= sides->mask(model, k);
-      if (side == 0) inside &= sides->mask(model, k);
-    }
-    if (whole.any()) return true;
-    if (above && below) return false;
-    return inside.any();  // without knots in the plane it has all bits
-  }
-  DmsPoint middle_of(size_t tetrahedron) const {
-    const DmsPoint* corner[4];
-    for (size_t c = 0; c < 4; ++c) corner[c] = &model.corner(tetrahedron, c);
-    return DmsInterpolation(0, 4).point(DmsIndex{{0, 0, 0, 0}}, corner);
+    const DmsPoint inside = dms_middle(model, model.faces[all[number].first].tetrahedron);
+    return interpolation.coefficients(corners.data(), [&](const DmsPoint& u) {
+      return DmsPlace(model, u, &inside).value(terms, units);
+    });
   }
 };
 

@@ -15,19 +15,23 @@ const DmsPlace::Beside& DmsPlace::beside(const Triple& t) {
   for (int k = 0; k < 3 && r.side == 0; ++k) r.side = r.plane.a[k].sign();
   return r;
 }
-Big DmsPlace::replaced(const uint32_t* w, size_t m, int* side) {
+const DmsPlace::Beside& DmsPlace::opposite(const uint32_t* w, size_t m, bool* is_odd) {
   // The three others in their order are followed by u: 3 - m exchanges, and those that sort the three.
   Triple t;
   for (size_t i = 0, k = 0; i < 4; ++i)
     if (i != m) t[k++] = w[i];
-  bool is_odd = m % 2 == 0;
+  *is_odd = m % 2 == 0;
   for (size_t i = 0; i < 3; ++i)
     for (size_t j = 0; j + 1 < 3; ++j)
       if (t[j] > t[j + 1]) {
         std::swap(t[j], t[j + 1]);
-        is_odd = !is_odd;
+        *is_odd = !*is_odd;
       }
-  const Beside& b = beside(t);
+  return beside(t);
+}
+Big DmsPlace::replaced(const uint32_t* w, size_t m, int* side) {
+  bool is_odd = false;
+  const Beside& b = opposite(w, m, &is_odd);
   if (side != nullptr) *side = is_odd ? -b.side : b.side;
   return is_odd ? -b.at_u : b.at_u;
 }
@@ -90,33 +94,66 @@ const Ratio& DmsPlace::spline(const std::vector<uint32_t>& v) {
   return splines[v] = std::move(r);
 }
 
+const Ratio& DmsPlace::spline(const DmsTerm& term, uint32_t* w, Units* units) {
+  std::vector<uint32_t> v;
+  for (size_t c = 0; c < 4; ++c) {
+    for (int i = 0; i <= term.gamma[c]; ++i) v.push_back(model.knot(term.tetrahedron, c, i));
+    w[c] = v.back();
+  }
+  std::sort(v.begin(), v.end());
+  units->add(1);
+  return spline(v);
+}
+std::vector<Ratio> DmsPlace::derivative(const std::vector<DmsTerm>& terms, Units* units) {
+  std::vector<Ratio> sum(9);
+  for (const DmsTerm& term : terms) {
+    uint32_t w[4];
+    const Ratio& m = spline(term, w, units);
+    if (m.n.sign() == 0) continue;
+    Big all = 1;  // the denominators
+    for (uint32_t k : w) all = all * model.points[k].x[3];
+    Ratio part[9];
+    for (size_t c = 0; c < 4; ++c) {
+      bool is_odd = false;
+      const DmsPlane& plane = opposite(w, c, &is_odd).plane;
+      const Ratio* const value = model.file.value(term.tetrahedron, dms_raised(term.gamma, c));
+      for (size_t k = 0; k < 3; ++k) {
+        const Big n = plane.a[k] * model.points[w[c]].x[3];
+        for (size_t row = 0; row < 3; ++row)
+          part[3 * row + k] =
+              dms_sum(part[3 * row + k], Ratio((is_odd ? -n : n) * value[row].n, value[row].d));
+      }
+    }
+    for (size_t i = 0; i < 9; ++i)
+      sum[i] = dms_sum(sum[i], dms_lowest(Ratio(part[i].n * m.n, part[i].d * m.d * all)));
+  }
+  return sum;
+}
 std::vector<Ratio> DmsPlace::value(const std::vector<DmsTerm>& terms, Units* units) {
   std::vector<Ratio> sum(3);
   for (const DmsTerm& term : terms) {
-    const DmsIndex& g = term.gamma;
-    std::vector<uint32_t> v;
     uint32_t w[4];
-    Big all = u.x[3];  // the denominators
-    for (size_t c = 0; c < 4; ++c) {
-      for (int i = 0; i <= g[c]; ++i) v.push_back(model.knot(term.tetrahedron, c, i));
-      w[c] = v.back();
-      all = all * model.points[w[c]].x[3];
-    }
-    std::sort(v.begin(), v.end());
-    units->add(1);
-    const Ratio& m = spline(v);
+    const Ratio& m = spline(term, w, units);
     if (m.n.sign() == 0) continue;
+    Big all = u.x[3];  // the denominators
+    for (uint32_t k : w) all = all * model.points[k].x[3];
     Ratio part[3];
     for (size_t c = 0; c < 4; ++c) {
       const Big n = replaced(w, c, nullptr) * model.points[w[c]].x[3];
       if (n.sign() == 0) continue;
-      const Ratio* const value = model.file.value(term.tetrahedron, dms_raised(g, c));
+      const Ratio* const value = model.file.value(term.tetrahedron, dms_raised(term.gamma, c));
       for (size_t k = 0; k < 3; ++k) part[k] = dms_sum(part[k], Ratio(n * value[k].n, value[k].d));
     }
     for (size_t k = 0; k < 3; ++k)
       sum[k] = dms_sum(sum[k], dms_lowest(Ratio(part[k].n * m.n, part[k].d * m.d * all)));
   }
   return sum;
+}
+
+DmsPoint dms_middle(const DmsModel& model, size_t tetrahedron) {
+  const DmsPoint* corner[4];
+  for (size_t c = 0; c < 4; ++c) corner[c] = &model.corner(tetrahedron, c);
+  return DmsInterpolation(0, 4).point(DmsIndex{{0, 0, 0, 0}}, corner);
 }
 
 DmsInterpolation::DmsInterpolation(int degree, size_t of) : n(degree), corners(of) {
@@ -172,8 +209,15 @@ DmsPoint DmsInterpolation::point(const DmsIndex& index, const DmsPoint* const* c
   x[3] = all * Big(n + int(corners));
   return DmsPoint::of(x);
 }
-std::vector<Ratio> DmsInterpolation::coefficients(const std::vector<Ratio>& values) const {
+std::vector<Ratio> DmsInterpolation::coefficients(
+    const DmsPoint* const* corner,
+    const std::function<std::vector<Ratio>(const DmsPoint&)>& value) const {
   const size_t size = indices.size();
+  std::vector<Ratio> values;
+  for (const DmsIndex& i : indices) {
+    const std::vector<Ratio> v = value(point(i, corner));
+    values.insert(values.end(), v.begin(), v.end());
+  }
   std::vector<Ratio> r(3 * size);
   for (size_t k = 0; k < 3; ++k) {
     std::vector<Ratio> column;

@@ -16,6 +16,9 @@ struct DmsPlace {
 
   // The sum of N_gamma L_gamma over these terms: x, y, z.
   std::vector<Ratio> value(const std::vector<DmsTerm>& terms, Units* units);
+  // The sum of N_gamma times the linear part of L_gamma, row by row: the
+  // derivative of s, divided by n.
+  std::vector<Ratio> derivative(const std::vector<DmsTerm>& terms, Units* units);
 
  private:
   typedef std::array<uint32_t, 3> Triple;  // of points, ascending
@@ -32,10 +35,15 @@ struct DmsPlace {
     int side;  // of the path, after u
   };
   const Beside& beside(const Triple& t);
+  // Of the points w but the m-th; *is_odd: whether d(u, ...) has the other
+  // sign.
+  const Beside& opposite(const uint32_t* w, size_t m, bool* is_odd);
   // d of the points w with u in the place of the m-th, times the denominators of the others and of u.
   Big replaced(const uint32_t* w, size_t m, int* side);
   Big determinant(const uint32_t* w);                   // d times the four denominators
   const Ratio& spline(const std::vector<uint32_t>& v);  // ascending
+  // M(u|V_gamma), and W_gamma.
+  const Ratio& spline(const DmsTerm& term, uint32_t* w, Units* units);
   Ratio computed(const std::vector<uint32_t>& v);
   Ratio constant(const uint32_t* v);
   bool find_simplex(const std::vector<uint32_t>& v, uint32_t* w);
@@ -45,6 +53,9 @@ struct DmsPlace {
   std::unordered_map<Triple, Beside, Hash> planes;
   std::map<std::vector<uint32_t>, Ratio> splines;
 };
+
+// The mean of the vertices of a tetrahedron.
+DmsPoint dms_middle(const DmsModel& model, size_t tetrahedron);
 
 // How the Bernstein coefficients of degree n depend on the values at the points with the barycentric coordinates
 // (i + 1, ...) / (n + corners): row by row, the indices in their order.
@@ -56,8 +67,11 @@ struct DmsInterpolation {
 
   // The point of this index in a simplex.
   DmsPoint point(const DmsIndex& index, const DmsPoint* const* corner) const;
-  // All coefficients, three coordinates each, of such values.
-  std::vector<Ratio> coefficients(const std::vector<Ratio>& values) const;
+  // All coefficients, three coordinates each, of the polynomial with these
+  // values at those points.
+  std::vector<Ratio> coefficients(
+      const DmsPoint* const* corner,
+      const std::function<std::vector<Ratio>(const DmsPoint&)>& value) const;
 
  private:
   const int n;

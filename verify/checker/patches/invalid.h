@@ -31,6 +31,7 @@ struct RestrictedPatch {  // a patch restricted to a rectangle
   uint64_t patch;
   Part t[2];
 };
+Part read_interval(Bytes* bytes);  // B1
 struct Crossing {
   RestrictedPatch sheet[2];
   Big y[3][3];
@@ -71,7 +72,17 @@ inline int compare_dyadic(int64_t a, int k, int64_t c, int l) {
   return x < y ? -1 : x > y;
 }
 
+// Whether no number is in both.
+inline bool are_apart(const Part& s, const Part& t) {
+  return compare_dyadic(s.b, s.k, t.a, t.k) < 0 || compare_dyadic(t.b, t.k, s.a, s.k) < 0;
+}
+
 void check_crossing(const Crossing& x, const Patch& a, const Patch& b);  // X1 to X3
+// What X1 says of the intervals but for their disjointness.
+void check_intervals(const Crossing& x, bool b_is_triangle, const char* id);
+// X2 and X3, by these names.
+void check_signs(const Crossing& x, const Patch& a, const Patch& b, const char* id2,
+                 const char* id3);
 // D1 to D4. outer: by patch and side; num_outer: their number, collapsed ones included.
 void check_sides(const Sides& s, const std::vector<OuterSide>& outer, uint64_t num_outer,
                  bool has_flags, uint64_t same, uint64_t opposite);

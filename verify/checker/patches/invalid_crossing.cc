@@ -54,34 +54,43 @@ Range control_values(const Net& net, const Big* y) {
   return r;
 }
 
-bool are_apart(const Part& s, const Part& t) {
-  return compare_dyadic(s.b, s.k, t.a, t.k) < 0 || compare_dyadic(t.b, t.k, s.a, s.k) < 0;
+}  // namespace
+
+Part read_interval(Bytes* bytes) {
+  Part t;
+  t.k = int(bytes->at_most(bytes->varint(), 62, "an interval counts 2^-k, k ="));
+  t.a = int64_t(bytes->varint());
+  t.b = int64_t(bytes->at_most(bytes->varint(), uint64_t(1) << t.k, "an interval leaves [0, 1]:"));
+  require(t.a <= t.b, "B1", "an interval's ends fall");
+  return t;
 }
-void check_parts(const Crossing& x, bool b_is_triangle) {
+void check_intervals(const Crossing& x, bool b_is_triangle, const char* id) {
   int points = 0;
   for (const RestrictedPatch& s : x.sheet)
     for (const Part& t : s.t) points += t.is_point();
-  require(points == 1, "X1", "intervals that are points:", uint64_t(points));
-  const RestrictedPatch &a = x.sheet[0], &b = x.sheet[1];
-  require(a.patch != b.patch || are_apart(a.t[0], b.t[0]) || are_apart(a.t[1], b.t[1]), "X1",
-          "A and B are not disjoint");
-  for (const Part& t : a.t)
-    require(t.a > 0 && t.b < int64_t(1) << t.k, "X1", "A is not in the open domain");
-  require(!b_is_triangle || b.t[0].a > 0, "X1", "the interval of s in B contains 0");
+  require(points == 1, id, "intervals that are points:", uint64_t(points));
+  for (const Part& t : x.sheet[0].t)
+    require(t.a > 0 && t.b < int64_t(1) << t.k, id, "A is not in the open domain");
+  require(!b_is_triangle || x.sheet[1].t[0].a > 0, id, "the interval of s in B contains 0");
 }
-
-}  // namespace
 
 Net tensor_net(const Patch& patch) {
   return patch.shape.is_triangle ? triangle_net(patch) : patch.net;
 }
 void check_crossing(const Crossing& x, const Patch& a, const Patch& b) {
-  check_parts(x, b.shape.is_triangle);
+  check_intervals(x, b.shape.is_triangle, "X1");
+  const RestrictedPatch &s = x.sheet[0], &t = x.sheet[1];
+  require(s.patch != t.patch || are_apart(s.t[0], t.t[0]) || are_apart(s.t[1], t.t[1]), "X1",
+          "A and B are not disjoint");
+  check_signs(x, a, b, "X2", "X3");
+}
+void check_signs(const Crossing& x, const Patch& a, const Patch& b, const char* id2,
+                 const char* id3) {
   Big det;
   for (int i = 0; i < 3; ++i)
     det = det + x.y[0][i] * (x.y[1][(i + 1) % 3] * x.y[2][(i + 2) % 3] -
                              x.y[1][(i + 2) % 3] * x.y[2][(i + 1) % 3]);
-  require(det.sign() != 0, "X2", "det Y is 0");
+  require(det.sign() != 0, id2, "det Y is 0");
 
   const Patch* const patches[2] = {&a, &b};
   Net whole[2], cut[2];
@@ -105,7 +114,7 @@ void check_crossing(const Crossing& x, const Patch& a, const Patch& b) {
             control_values(restricted_net(whole[i], rows[i], columns[i], t[0], t[1]), x.y[row]);
         const Range &of_a = i == 0 ? own : other, &of_b = i == 0 ? other : own;
         require(high == 0 ? compare(of_a.most, of_b.least) < 0 : compare(of_b.most, of_a.least) < 0,
-                "X3", "A and B are not separated on the faces of parameter", uint64_t(row));
+                id3, "A and B are not separated on the faces of parameter", uint64_t(row));
       }
       ++row;
     }

@@ -8,19 +8,11 @@ namespace {
 struct FindingReader : InvalidBytes {
   FindingReader(const std::vector<Entity>& entities, const char* magic, const Body& bytes)
       : InvalidBytes(entities, magic, false, bytes) {}
-  Part part() {
-    Part t;
-    t.k = int(at_most(varint(), 62, "an interval counts 2^-k, k ="));
-    t.a = int64_t(varint());
-    t.b = int64_t(at_most(varint(), uint64_t(1) << t.k, "an interval leaves [0, 1]:"));
-    require(t.a <= t.b, "B1", "an interval's ends fall");
-    return t;
-  }
   Crossing crossing() {
     Crossing r;
     for (RestrictedPatch& s : r.sheet) {
       s.patch = patch();
-      for (Part& t : s.t) t = part();
+      for (Part& t : s.t) t = read_interval(this);
     }
     for (auto& row : r.y)
       for (Big& y : row) y = Big(zigzag());
@@ -36,7 +28,7 @@ struct FindingReader : InvalidBytes {
       a.patch = patch();
       const bool is_triangle = (*cuts.entities)[cuts.entity_of(a.patch)].kind == Entity::kTriangle;
       a.side = int(at_most(body.natural(1), is_triangle ? 2 : 3, "there is no side"));
-      a.t = part();
+      a.t = read_interval(this);
       r.arcs.push_back(a);
     }
     r.axis = int(at_most(body.natural(1), 2, "there is no axis"));

@@ -122,7 +122,6 @@ def faces_meet(w=(1, 1, 1), x=(1, 0, 0), f=(0, 0), g=(1, 1)):
 
 
 class Proofs(Case):
-    # PROVES DMS-2
     def test_every_kind(self):
         for kind, proof in enumerate(every_kind()):
             with self.subTest(made.FINDINGS[kind]):
@@ -315,6 +314,7 @@ class Maps(Case):
             self.accepted(made.zero_jacobian(data, 0, small()))
             self.accepted(made.zero_jacobian(data, 0, CORNERS))
         data = one(2, curved_and_flat)
+        self.accepted(made.zero_jacobian(data, 0, small(), [[Q(1), Q(0), Q(0), Q(1, 2)], [Q(0), Q(3), Q(-1), Q(5)]]))
         self.judged("W6", made.zero_jacobian(one(2), 0, small()))
         self.judged("W6", made.zero_jacobian(one(2, lambda p: [p[0] * p[0], p[1], p[2]]), 0, small()))
         self.judged("W6", made.zero_jacobian(data, 0, small((Q(-1, 64), Q(1, 8), Q(1, 8)))))
@@ -454,7 +454,6 @@ class Crossings(Case):
         proof.data = slid(Q(3))
         self.judged("W12", proof)
 
-    # PROVES DMS-2.W12
     def test_lies_about_pieces(self):
         data = slid()
         whole = corners_of(data, (0, 0))
@@ -501,6 +500,11 @@ class Crossings(Case):
             self.accepted(crossing(data, f, f, (.75, 1 / 3, .75, 1 / 3), fixed, first=first, second=second))
             self.accepted(crossing(data, f, f, (.875, 3 / 7, .625, .2), fixed))    # one piece, disjoint parameters
             self.accepted(crossing(data, f, f, (.875, 3 / 7, .625, .2), fixed, width=1 / 32))
+        # A side of one piece parts them; the lines of the other one's sides cut the first one, or have both on one side.
+        point = [[Q(x, 8), Q(y, 8), Q(0)] for x, y in ((1, 0), (3, 1), (3, -1))]
+        wall = [[Q(x, 8), Q(y, 8), Q(0)] for x, y in ((-1, 2), (-1, -2), (-3, 0))]
+        self.accepted(crossing(data, f, f, (.5, .5, .75, 2 / 3), first=point, second=wall))
+        self.accepted(crossing(data, f, f, (.75, 2 / 3, .5, .5), first=wall, second=point, planes=([[Q(1), Q(2), Q(3), Q(4)]], [])))
         # The crossing is there, but the pieces have common points, and are not the same.
         whole = corners_of(data, f)
         self.judged("W12", crossing(data, f, f, (.75, 1 / 3, .625, .2), first=first))

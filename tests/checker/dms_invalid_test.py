@@ -503,7 +503,7 @@ class Crossings(Case):
         # A side of one piece parts them; the lines of the other one's sides cut the first one, or have both on one side.
         point = [[Q(x, 8), Q(y, 8), Q(0)] for x, y in ((1, 0), (3, 1), (3, -1))]
         wall = [[Q(x, 8), Q(y, 8), Q(0)] for x, y in ((-1, 2), (-1, -2), (-3, 0))]
-        self.accepted(crossing(data, f, f, (.5, .5, .75, 2 / 3), first=point, second=wall))
+        self.accepted(crossing(data, f, f, (.5, .5, .75, 2 / 3), 0, first=point, second=wall))
         self.accepted(crossing(data, f, f, (.75, 2 / 3, .5, .5), first=wall, second=point, planes=([[Q(1), Q(2), Q(3), Q(4)]], [])))
         # The crossing is there, but the pieces have common points, and are not the same.
         whole = corners_of(data, f)

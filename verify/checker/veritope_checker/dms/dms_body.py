@@ -47,10 +47,9 @@ class Certificate:
 
     def why_too_long(self, model):
         """Why B2 does not hold, or None."""
-        if model.degree > MAX_DEGREE:
-            return "the degree is above %d" % MAX_DEGREE
-        if is_long([*(knot for cloud in model.clouds for knot in cloud), *model.control.values()], MAX_MODEL_BITS):
-            return "a number of the model is too long"
+        why = why_model_too_long(model)
+        if why:
+            return why
         nodes = [node for tree in self.trees for node in tree]
         words = [row for node in nodes if type(node) is Leaf for row in node.matrix]
         words += [[node[1]] for node in nodes if type(node) is not Leaf]
@@ -63,6 +62,13 @@ class Certificate:
         yield from (node.planes for node in nodes if type(node) is Leaf)
         yield from self.planes
         yield from (tile.planes for tiles in self.tiles for tile in tiles)
+
+def why_model_too_long(model):
+    if model.degree > MAX_DEGREE:
+        return "the degree is above %d" % MAX_DEGREE
+    if is_long([*(knot for cloud in model.clouds for knot in cloud), *model.control.values()], MAX_MODEL_BITS):
+        return "a number of the model is too long"
+    return None
 
 def is_long(lists, most):
     return any(max(abs(c.numerator), c.denominator) >> most for numbers in lists for c in numbers)

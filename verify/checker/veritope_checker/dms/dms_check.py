@@ -8,10 +8,10 @@ from ..common.vectors import cross, dot
 from .dms_body import Certificate, Leaf
 from .dms_domain import (boundary_of, numbers_of_surface, test_clouds, test_control, test_hulls, test_tetrahedra,
                          triangle_entity)
-from .dms_map import Interpolation, Map, linear_part, multi_indices, triples
+from .dms_map import Map
+from .dms_near import derivatives, first_cut, leaf_region, unexcluded
 from .dms_read import Spline
-from .dms_surface import Surface, scaled_planes, unexcluded
-from .dms_walls import Region, face_planes
+from .dms_surface import Surface
 
 EDGES = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))
 
@@ -53,8 +53,7 @@ class Checker:
             triangle_entity(1, [self.model.clouds[v][0] for v in face]) for face in boundary])
         test_control(self.spline, self.fail)
         test_clouds(self.spline, self.fail)
-        planes = [scaled_planes(self.spline, of_face) for of_face in self.cert.planes]
-        test_hulls(self.spline, boundary, planes, self.spend, self.fail)
+        test_hulls(self.spline, boundary, self.cert.planes, self.spend, self.fail)
         self.test_leaves()
         surface = Surface(self.spline, boundary, self.cert, self.fail, self.spend)
         surface.test_tiling()
@@ -95,8 +94,7 @@ class Checker:
         a, b, c = leaf.matrix
         if dot(cross(a, b), c) <= 0:
             self.fail("J3", "det R is not positive in a leaf of tetrahedron %d" % t)
-        planes = [*face_planes(corners), *face_planes(root), *scaled_planes(self.spline, leaf.planes)]
-        region = Region(corners, planes)
+        region = leaf_region(self.spline, corners, root, leaf.planes)
         near = list(unexcluded(self.spline, region, lambda: self.spend("J2" if leaf.is_p else "J1")))
         if not leaf.is_p:
             for neighbour, gamma, _ in near:
@@ -104,22 +102,11 @@ class Checker:
                     return self.fail("J1", "the derivative %s of tetrahedron %d in a leaf of %d" % (
                         gamma, neighbour, t))
             return
-        for neighbour, gamma, knots in near:
-            for three in triples(knots):
-                self.spend("J2")
-                if not region.misses_triangle(three):
-                    return self.fail("J2", "knots %s of tetrahedron %d meet a leaf of %d" % (gamma, neighbour, t))
-        if not all(is_definite(leaf.matrix, d) for d in self.derivatives(corners, near)):
+        cut = first_cut(region, near, lambda: self.spend("J2"))
+        if cut:
+            return self.fail("J2", "knots %s of tetrahedron %d meet a leaf of %d" % (cut[1], cut[0], t))
+        if not all(is_definite(leaf.matrix, d) for d in derivatives(self.spline, corners, near)):
             self.fail("J2", "a coefficient of the derivative in a leaf of tetrahedron %d" % t)
-
-    def derivatives(self, corners, near):
-        """The coefficients of Ds on a leaf of kind P, but for a positive factor."""
-        n, near = self.model.degree, [(t, gamma) for t, gamma, _ in near]
-        interpolation = Interpolation.of(n, 4)
-        found = interpolation.coefficients([self.spline.at(p, near) for p in interpolation.points(corners)])
-        b = dict(zip(interpolation.indices, found))
-        for gamma in multi_indices(n - 1, 4):
-            yield linear_part(corners, [b[(*gamma[:m], gamma[m] + 1, *gamma[m + 1:])] for m in range(4)])
 
 def is_definite(matrix, derivative):
     """Whether R G + (R G)^T is positive definite."""

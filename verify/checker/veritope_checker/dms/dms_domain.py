@@ -4,6 +4,7 @@ from ..common.errors import Reject
 from ..patches.star_box_2_check import Checker2
 from ..patches.star_box_read import Entity
 from .dms_map import box_of, det, multi_indices
+from .dms_near import scaled_planes
 from .dms_walls import Region, face_planes
 
 def faces_of(tetrahedron):
@@ -16,8 +17,8 @@ def cycle(face):
     i = face.index(min(face))
     return face[i:] + face[:i]
 
-def boundary_of(model, fail):
-    """The faces that have no opposite one, in order: D2."""
+def boundary_of(model, fail=lambda condition, why: None):
+    """The faces that have no opposite one, in order. Tests D2."""
     faces = [face for t in model.tetrahedra for face in faces_of(t)]
     found = set(map(cycle, faces))
     if len(found) != len(faces):
@@ -63,17 +64,18 @@ def test_control(spline, fail):
 def test_clouds(spline, fail):
     """E2."""
     model = spline.model
-    for total in range(model.degree + (not model.shared)):
+    for total in range(model.last + 1):
         for gamma in multi_indices(total, 4):
             for t in range(len(model.tetrahedra)):
                 if det(*spline.w_of(t, gamma)) <= 0:
                     fail("E2", "knots %s of tetrahedron %d are flat or reversed" % (gamma, t))
 
 def test_hulls(spline, boundary, planes, spend, fail):
-    """E3. planes: the lists of the faces, scaled."""
-    last = spline.model.degree - spline.model.shared
+    """E3. planes: the lists of the faces."""
+    last = spline.model.last
     for face, of_face in zip(boundary, planes):
         places = [spline.knots[v][0] for v in face]
+        of_face = scaled_planes(spline, of_face)
         for index in multi_indices(last, 3):
             hull = {spline.knots[v][k] for v, i in zip(face, index) for k in range(i + 1)}
             if hull <= set(places):

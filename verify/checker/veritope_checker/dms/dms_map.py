@@ -81,16 +81,35 @@ class Map:
 
     def at(self, point, near):
         """s at a point of the domain (scaled). near: (tetrahedron, gamma) of all V_gamma whose hulls have the point."""
-        path, memo, total = self.path_from(point), {}, [0, 0, 0]
+        total = [0, 0, 0]
+        for t, gamma, basis in self.basis_at(point, near):
+            for share, c in zip(barycentric(point, self.w_of(t, gamma)), self.values_about(t, gamma)):
+                total = [a + basis * share * b for a, b in zip(total, c)]
+        return total
+
+    def derivative_at(self, point, near):
+        """Ds at a point of the domain (scaled), but for a positive factor: rows are components."""
+        total = [[0] * 3 for _ in range(3)]
+        for t, gamma, basis in self.basis_at(point, near):
+            total = [[a + basis * b for a, b in zip(row, other)]
+                     for row, other in zip(total, self.derivative(t, gamma))]
+        return total
+
+    def basis_at(self, point, near):
+        """(tetrahedron, gamma, N_gamma(point)) of those that do not vanish."""
+        path, memo = self.path_from(point), {}
         for t, gamma in near:
             name = sorted(self.name(self.knots[v][k]) for v, k in self.v_of(t, gamma))
             basis = self.simplex_spline(tuple(name), path, memo)
             if basis:
-                w = self.w_of(t, gamma)
-                basis *= det(*w)
-                for share, c in zip(barycentric(point, w), self.values_about(t, gamma)):
-                    total = [a + basis * share * b for a, b in zip(total, c)]
-        return total
+                yield t, gamma, basis * det(*self.w_of(t, gamma))
+
+    def all_near(self, point):
+        """(tetrahedron, gamma) of all V_gamma whose hulls may have the point."""
+        return [(t, gamma) for t in self.tree.meeting(box_of([point])) for gamma in self.gammas]
+
+    def is_in_domain(self, point):
+        return any(is_in_closed(self.corners(t), point) for t in self.cells.meeting(box_of([point])))
 
     def path_from(self, point):
         """The point and the directions of the path that leaves it, by rule H."""

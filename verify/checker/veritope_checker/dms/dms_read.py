@@ -44,6 +44,7 @@ class Spline:
 
     def read_control(self, entries, size):
         self.shared = type(entries[0]) is dict and "at" in entries[0]
+        self.last = self.degree - self.shared
         self.control, self.num_control = {}, len(entries)
         for entry in entries:
             if self.shared:

@@ -2,8 +2,8 @@
 """The surface of a simplex-spline solid (docs/certificates/dms-solid.md, section 6): T1 to T3."""
 from ..common.vectors import cross, dot, sub
 from .dms_domain import triangle_entity
-from .dms_map import Interpolation, box_of, triples
-from .dms_walls import Region, normal_of, upright_planes
+from .dms_near import coefficients, first_cut, tile_region, unexcluded
+from .dms_walls import normal_of
 
 class Surface:
     """tiles: of each face of the boundary (corners as numbers of points, planes); points: scaled."""
@@ -11,7 +11,7 @@ class Surface:
     def __init__(self, spline, boundary, cert, fail, spend):
         self.spline, self.boundary, self.fail, self.spend = spline, boundary, fail, spend
         self.points = [cloud[0] for cloud in spline.knots] + [spline.scaled(point) for point in cert.points]
-        self.tiles = [[(tile.corners, scaled_planes(spline, tile.planes)) for tile in tiles] or [(list(face), [])]
+        self.tiles = [[(tile.corners, tile.planes) for tile in tiles] or [(list(face), [])]
                       for face, tiles in zip(boundary, cert.tiles)]
 
     def test_tiling(self):
@@ -49,33 +49,15 @@ class Surface:
 
     def entities(self):
         """Those of T3, a tile after the other; tests T2 on the way."""
-        degree = self.spline.model.degree
-        interpolation = Interpolation.of(degree, 3)
         for corners, planes in (tile for tiles in self.tiles for tile in tiles):
             places = [self.points[v] for v in corners]
-            near = self.test_walls(corners, Region(places, [*upright_planes(places), *planes]))
-            values = [self.spline.at(p, near) for p in interpolation.points(places)]
-            yield triangle_entity(degree, interpolation.coefficients(values))
+            near = self.test_walls(corners, tile_region(self.spline, places, planes))
+            yield triangle_entity(self.spline.model.degree, coefficients(self.spline, places, near))
 
     def test_walls(self, corners, region):
-        """T2 for a tile; (tetrahedron, gamma) of the V_gamma that count."""
-        found = list(unexcluded(self.spline, region, lambda: self.spend("T2")))
-        for t, gamma, knots in found:
-            for three in triples(knots):
-                self.spend("T2")
-                if (any(dot(region.normal, sub(p, region.corners[0])) for p in three)
-                        and not region.misses_triangle(three)):
-                    self.fail("T2", "knots %s of tetrahedron %d meet the tile %s" % (gamma, t, corners))
-        return [(t, gamma) for t, gamma, _ in found]
-
-def unexcluded(spline, region, spend):
-    """(tetrahedron, gamma, knots) of all V_gamma that no plane parts from the region."""
-    for t in spline.tree.meeting(box_of(region.corners)):
-        for gamma in spline.gammas:
-            spend()
-            knots = [spline.knots[v][k] for v, k in spline.v_of(t, gamma)]
-            if not region.misses(knots):
-                yield t, gamma, knots
-
-def scaled_planes(spline, planes):
-    return [(vector, spline.scale * number) for vector, number in planes]
+        """T2 for a tile; the V_gamma that count."""
+        near = list(unexcluded(self.spline, region, lambda: self.spend("T2")))
+        cut = first_cut(region, near, lambda: self.spend("T2"))
+        if cut:
+            self.fail("T2", "knots %s of tetrahedron %d meet the tile %s" % (cut[1], cut[0], corners))
+        return near

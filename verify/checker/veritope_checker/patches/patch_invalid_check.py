@@ -8,6 +8,7 @@ from bisect import bisect_right
 from math import comb, lcm
 
 from ..common.errors import Reject
+from ..common.vectors import cross, dot
 from .star_box_check import MAX_DEGREE
 from .model_subject import read_subject
 from .star_box_nodes import extremes
@@ -156,12 +157,14 @@ def elevated(row, n, factor):
             for i in range(n + 1)]
 
 def tensor_net(patch):
-    """The patch's net; for a triangle, that of a tensor patch over (s, t), at the point (1 - s, s (1 - t), s t)."""
-    if patch.is_tensor:
-        return patch.net
-    n = patch.degrees[0]
+    """The patch's net; for a triangle, that of a tensor patch."""
+    return patch.net if patch.is_tensor else over_square(patch.net)
+
+def over_square(net):
+    """The net over (s, t) of a triangle's net, at the point (1 - s, s (1 - t), s t), times a factor > 0."""
+    n = len(net[0]) - 1
     factor = lcm(*[comb(n, i) for i in range(n + 1)])
-    return [[elevated(row, n, factor) for row in a] for a in patch.net]
+    return [[elevated(row, n, factor) for row in a] for a in net]
 
 def value_at(c, n, d):
     """The value at n / d, times d^degree."""
@@ -181,6 +184,38 @@ def slopes(x, w):
 def less(a, b):
     """Whether a < b, each as (numerator, denominator > 0)."""
     return a[0] * b[1] < b[0] * a[1]
+
+
+# ---------------------------------------------------------------- crossings
+
+def are_independent(y):
+    """X2 for three rows."""
+    return dot(cross(y[0], y[1]), y[2]) != 0
+
+def unseparated(pair, nets, y):
+    """The number of a row and the end of its parameter where X3 does not hold, or None. pair: the two Intervals of A,
+    and of B; nets: of the tensor patches over [0, 1] x [0, 1]."""
+    nets = [[part_of_tensor(a, at) for a in net] for at, net in zip(pair, nets)]
+    free = [(which, axis) for which, at in enumerate(pair) for axis in range(2) if not at[axis].is_point()]
+    for i, ((which, axis), row) in enumerate(zip(free, y)):
+        for end in (0, -1):
+            (a_least, a_greatest), (b_least, b_greatest) = [
+                control_values(row, face(net, axis, end) if which == n else net) for n, net in enumerate(nets)]
+            if not (less(a_greatest, b_least) if end == 0 else less(b_greatest, a_least)):
+                return i + 1, "low" if end == 0 else "high"
+    return None
+
+def face(net, axis, end):
+    return [[a[end]] if axis == 0 else [[row[end]] for row in a] for a in net]
+
+def control_values(y, net):
+    """The least and the greatest value of Y.P / w."""
+    x, w = [], []
+    for rows in zip(*net):
+        for px, py, pz, pw in zip(*rows):
+            x.append(y[0] * px + y[1] * py + y[2] * pz)
+            w.append(pw)
+    return extremes(x, w)
 
 
 # ---------------------------------------------------------------- the conditions in the order of the page
@@ -266,21 +301,14 @@ class Checker(FindingChecker):
 
     def check_rows(self):
         """Tests X2."""
-        (a, b, c), (d, e, f), (g, h, i) = self.y
-        if a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) == 0:
+        if not are_independent(self.y):
             self.fail("X2", "det Y is 0")
 
     def check_faces(self):
         """Tests X3."""
-        nets = [[part_of_tensor(a, r.at) for a in tensor_net(self.patches[r.patch])] for r in self.pair]
-        free = [(which, axis) for which, r in enumerate(self.pair) for axis, at in enumerate(r.at) if not at.is_point()]
-        for i, ((which, axis), y) in enumerate(zip(free, self.y)):
-            for end in (0, -1):
-                (a_least, a_greatest), (b_least, b_greatest) = [
-                    control_values(y, face(net, axis, end) if which == n else net) for n, net in enumerate(nets)]
-                if not (less(a_greatest, b_least) if end == 0 else less(b_greatest, a_least)):
-                    self.fail("X3", "row %d does not separate A and B where its parameter is %s"
-                              % (i + 1, "low" if end == 0 else "high"))
+        found = unseparated([r.at for r in self.pair], [tensor_net(self.patches[r.patch]) for r in self.pair], self.y)
+        if found:
+            self.fail("X3", "row %d does not separate A and B where its parameter is %s" % found)
 
     def check_arcs(self):
         """Tests D1."""
@@ -354,18 +382,6 @@ class Checker(FindingChecker):
                     return self.fail("D4", "side %d of patch %d passes the point, too" % (side, n))
                 left, right = zip(*[halves(c) for c in curve])
                 stack += (level + 1, 2 * i, left), (level + 1, 2 * i + 1, right)
-
-def face(net, axis, end):
-    return [[a[end]] if axis == 0 else [[row[end]] for row in a] for a in net]
-
-def control_values(y, net):
-    """The least and the greatest value of Y.P / w."""
-    x, w = [], []
-    for rows in zip(*net):
-        for px, py, pz, pw in zip(*rows):
-            x.append(y[0] * px + y[1] * py + y[2] * pz)
-            w.append(pw)
-    return extremes(x, w)
 
 def misses_point(curve, p):
     """Whether the closed hull of a curve (x, y, z, w) misses the homogeneous point p."""

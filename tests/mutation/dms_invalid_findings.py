@@ -2,7 +2,6 @@
 """True findings about random small simplex-spline solids, one function for each kind of dms_invalid_forge.py; and what they are made of:
 domains, clouds, maps. Everything is drawn and everything is exact."""
 import itertools
-import random
 from fractions import Fraction as Q
 
 from dms_invalid_forge import (ONE, X, Y, Z, Invalid, Model, Polynomial, add, affine, after, cross, det3, dot, inverse, is_inside, jacobian, mix, sub,
@@ -91,12 +90,16 @@ def clouded(model, rng, outward=False):
     return model
 
 
+def normal_of(a, b, c):
+    return cross(sub(b, a), sub(c, a))
+
+
 def face_planes(model):
     """The plane of each face of the boundary, as a list of planes."""
     found = []
     for number in model.boundary():
         a, b, c = (model.point(v) for v in model.face(number))
-        normal = cross(sub(b, a), sub(c, a))
+        normal = normal_of(a, b, c)
         found.append([[*normal, dot(normal, a)]])
     return found
 
@@ -229,13 +232,9 @@ def no_core(rng):
     first, second = ([int(m == k) for m in range(4)] for k in (at, other))
     # With shares x and y of p and q in the tetrahedron, h of the terms is d (y - a' x), d' (x - b' y), d'' y.
     slopes, sizes = (a / (1 - a), b / (1 - b)), [volume(*model.w(t, g)) for g in (first, second, [0] * 4)]
-    terms = [(first, other, 1 / sizes[0]), (second, at, slopes[0] / sizes[1] * height(a, b)),
+    terms = [(first, other, 1 / sizes[0]), (second, at, slopes[0] / sizes[1]),
              ([0] * 4, other, (slopes[0] * slopes[1] - 1) / sizes[2])]
     return Invalid(model, 3, tet=t, terms=[term for term in terms if term[2]])
-
-
-def height(a, b):
-    return Q(1)
 
 
 def inner_hull(rng):
@@ -511,7 +510,3 @@ HONEST = (reversed_tet, overused_face, degenerate_cloud, no_core, inner_hull, ne
 
 def honest(kind, rng):
     return HONEST[kind](rng)
-
-
-if __name__ == "__main__":
-    raise SystemExit(str(honest(random.Random(1).randrange(13), random.Random(1)).witness))

@@ -1,0 +1,327 @@
+# SPDX-License-Identifier: Apache-2.0 OR MIT
+"""Lies of dms_invalid_liars.py about maps: findings of the kinds 5, 6, 11 and 12 in which one thing is wrong."""
+import itertools
+from fractions import Fraction as Q
+
+import dms_invalid_findings as true
+from dms_invalid_forge import ONE, X, Y, Z, Invalid, add, affine, after, cross, det3, dot, is_inside, mix, sub, volume
+
+EPSILON, HAIR = Q(1, 1 << 60), Q(1, 1 << 40)
+
+
+# ---------------------------------------------------------------- points (kind 5)
+
+def folded(rng):
+    """(model, signs of the tetrahedra): collapsed clouds, and a map that is affine on each tetrahedron and folds where a vertex moves."""
+    while True:
+        model = true.some_model(rng, "pair", "star", "double", "cube")
+        step = {rng.randrange(len(model.clouds)): [Q(rng.randint(-9, 9)) for _ in range(3)]}
+        image = [add(p, step.get(v, (0, 0, 0))) for v, (p, *_) in enumerate(model.clouds)]
+        signs = [volume(*[image[v] for v in t]) for t in model.tetrahedra]
+        if min(signs) < 0 < max(signs):
+            for t in model.tetrahedra:
+                for at in itertools.combinations_with_replacement(sorted(t), model.degree):
+                    model.moved[at] = mix([1] * len(at), [step.get(v, (0, 0, 0)) for v in at])
+            return model, signs
+
+
+def entered(model, u):
+    """The tetrahedron that the path of rule H enters."""
+    steps = [EPSILON, EPSILON ** 2, EPSILON ** 3]
+    tetrahedra = range(len(model.tetrahedra))
+    for t in tetrahedra:
+        if is_inside(model.corners(t), add(u, steps)):
+            return t
+    t = next(t for t in tetrahedra if is_inside(model.corners(t), u, closed=True))
+    middle = mix([1] * 4, model.corners(t))
+    x = add(add(u, sub(middle, u), EPSILON), steps, EPSILON)
+    return next(t for t in tetrahedra if is_inside(model.corners(t), x))
+
+
+def points_between(rng):
+    """(finding, whether it is true): points of a face, an edge or a vertex between a tetrahedron that is turned over and one that is not."""
+    model, signs = folded(rng)
+    for t, o in itertools.permutations(range(len(signs)), 2):
+        common = [model.point(v) for v in model.tetrahedra[t] if v in model.tetrahedra[o]]
+        if common and signs[t] < 0 < signs[o]:
+            u = mix(true.shares(rng, len(common)), common)
+            yield Invalid(model, 5, u=u), signs[entered(model, u)] < 0
+
+
+def negative_side(rng):
+    while True:
+        for finding, is_true in points_between(rng):
+            if is_true:
+                return finding
+
+
+def wrong_points(rng):
+    """W5: points where det Ds is positive or 0, on the other side of a fold, or outside."""
+    for finding, is_true in points_between(rng):
+        if not is_true:
+            yield "W5_side", finding
+            break
+    for name, sign in (("W5_positive", 1), ("W5_zero", 0)):
+        model, lists = true.some_clouded(rng)
+        model.maps = [true.any_map(rng, model.degree, sign)] * len(model.clouds)
+        yield name, Invalid(model, 5, lists, u=true.point_of(model, rng.randrange(len(model.tetrahedra)), rng))
+    finding = true.negative(rng)
+    f = rng.choice(finding.model.boundary())
+    a, b, c = [finding.model.point(v) for v in finding.model.face(f)]
+    yield "W5_outside", finding.changed(u=add(mix(true.shares(rng, 3), (a, b, c)), cross(sub(b, a), sub(c, a)), rng.choice((HAIR, Q(1)))))
+
+
+# ---------------------------------------------------------------- leaves (kind 6)
+
+def with_roots(roots, value):
+    """A polynomial of an affine function."""
+    found = ONE
+    for root in roots:
+        found = found * (value + ONE * (-root))
+    return found
+
+
+def share_of(corners):
+    """The first barycentric coordinate as a function."""
+    a, b, c, e = corners
+    normal = cross(sub(c, b), sub(e, b))
+    size = dot(normal, sub(a, b))
+    return affine(-dot(normal, b) / size, *[n / size for n in normal])
+
+
+def zero_in_rows(rng):
+    """det Ds vanishes at all points of W6 but those nearest to a corner: 2 and 3 are the degrees."""
+    model = true.some_model(rng, degrees=(2, 3))
+    n, t = model.degree, rng.randrange(len(model.tetrahedra))
+    corners, size = model.corners(t), Q(rng.randint(1, 4), 4)
+    middle = true.point_of(model, t, rng, False)
+    corners = [mix((1 - size, size), (middle, c)) for c in corners]
+    share, m = share_of(corners), 3 * (n - 1)
+    roots = [Q(i + 1, m + 4) for i in range(m + 1)]
+    del roots[rng.choice((0, m, rng.randrange(m + 1)))]
+    rng.shuffle(roots)
+    first, second, third = (roots[i::3] for i in range(3))
+    other, last = (affine(0, *row) for row in true.matrix(rng)[:2])
+    if n == 2:
+        integral = with_roots(first * 2, share) * Q(1, 2)
+    else:
+        a, b = first
+        integral = share * share * share * Q(1, 3) + share * share * (-(a + b) / 2) + share * (a * b)
+    parts = after(true.matrix(rng), [0, 0, 0], (integral, other * with_roots(second, share), last * with_roots(third, share)))
+    model.maps = [parts] * len(model.clouds)
+    return Invalid(model, 6, tet=t, corners=corners, planes=[])
+
+
+def is_cut_inside(model, t):
+    """A point of a triangle of knots of the tetrahedron is found inside."""
+    shares = [(a, b, 6 - a - b) for a in range(7) for b in range(7 - a)]
+    for gamma in model.gammas(model.degree - 1):
+        for three in itertools.combinations(model.v(t, gamma), 3):
+            if any(cross(sub(three[1], three[0]), sub(three[2], three[0]))):
+                if any(is_inside(model.corners(t), mix(share, three)) for share in shares):
+                    return True
+    return False
+
+
+def planes_through(points, rng):
+    """Through the middle of the points, or beside it."""
+    found = []
+    for _ in range(rng.randint(0, 4)):
+        v = [Q(rng.randint(-3, 3)) for _ in range(3)]
+        if any(v):
+            found.append([*v, dot(v, mix([1] * len(points), points)) + rng.choice((0, 0, HAIR, -HAIR, 5, -5))])
+    return found
+
+
+def wrong_leaves(rng):
+    """W6: a determinant that is not 0, or not everywhere; leaves that are cut, reversed, flat, too large, of another tetrahedron."""
+    yield "W6_rows", zero_in_rows(rng)
+    model, lists = true.some_clouded(rng)
+    model.maps = [true.any_map(rng, model.degree, rng.choice((-1, 1)))] * len(model.clouds)
+    t = rng.randrange(len(model.tetrahedra))
+    corners = true.uncut_leaf(model, t, rng)
+    if corners:
+        yield "W6_not_zero", Invalid(model, 6, lists, tet=t, corners=corners, planes=[])
+    finding = true.flat_leaf(rng)
+    corners, t = finding.witness["corners"], finding.witness["tet"]
+    a, b, c, d = corners
+    yield "W6_reversed", finding.changed(corners=[b, a, c, d])
+    yield "W6_flat", finding.changed(corners=[a, b, c, mix((1, 1, 1), (a, b, c))])
+    whole = finding.model.corners(t)
+    large = [mix((-HAIR, 1 + HAIR), (mix([1] * 4, whole), p)) for p in whole]
+    yield "W6_large", finding.changed(corners=large)
+    yield "W6_corner", finding.changed(corners=[*whole[:3], large[3]])
+    for other in range(len(finding.model.tetrahedra)):
+        if other != t:
+            yield "W6_tetrahedron", finding.changed(tet=other)
+            break
+    yield from cut_leaves(rng)
+
+
+def cut_leaves(rng):
+    """W6: the map is flat everywhere, but there are triangles of knots inside of the leaf."""
+    model, lists = true.some_clouded(rng, "star", "double", degrees=(2, 3))
+    model.maps = [true.flat_map(rng, model.degree)] * len(model.clouds)
+    for t in range(len(model.tetrahedra)):
+        if is_cut_inside(model, t):
+            corners = model.corners(t)
+            yield "W6_cut", Invalid(model, 6, lists, tet=t, corners=corners, planes=planes_through(corners, rng))
+            return
+
+
+# ---------------------------------------------------------------- meetings (kind 11)
+
+def wrong_meetings(rng):
+    """W11: one point, points with other images, points outside, where s has no value."""
+    finding = true.two_points(rng)
+    u, v = finding.witness["u"], finding.witness["v"]
+    yield "W11_one", finding.changed(v=u)
+    yield "W11_hair", finding.changed(v=moved_inside(finding.model, v, rng))
+    model, lists = true.some_clouded(rng, degrees=(2, 3))
+    t = rng.randrange(len(model.tetrahedra))
+    u, f = true.point_of(model, t, rng), rng.choice(model.boundary())
+    a, b, c = [model.point(w) for w in model.face(f)]
+    v = add(mix(true.shares(rng, 3), (a, b, c)), cross(sub(b, a), sub(c, a)), rng.choice((HAIR, Q(1, 2))))
+    axes = true.dual_axes(u, v, rng)
+    model.maps = [after(true.matrix(rng), [0, 0, 0], (axes[0] * axes[0], axes[1], axes[2]))] * len(model.clouds)
+    yield "W11_outside", Invalid(model, 11, lists, **rng.choice(({"u": u, "v": v}, {"u": v, "v": u})))
+
+
+def moved_inside(model, v, rng):
+    """A point of the domain near one."""
+    t = next(t for t in range(len(model.tetrahedra)) if is_inside(model.corners(t), v, closed=True))
+    return mix((1 - HAIR, HAIR), (v, true.point_of(model, t, rng, False)))
+
+
+# ---------------------------------------------------------------- crossings (kind 12)
+
+def shifted(pair, rng):
+    """One of two intervals is elsewhere."""
+    at = rng.randrange(2)
+    bits, lo, hi = pair[at]
+    size = hi - lo
+    lo = lo + 4 * size + 1 if hi + 4 * size + 1 < 1 << bits else max(1, lo - 4 * size - 2)
+    return [(bits, lo, lo + size) if i == at else interval for i, interval in enumerate(pair)]
+
+
+def is_point(interval):
+    return interval[1] == interval[2]
+
+
+def wrong_crossings(rng):
+    """W12: rows, intervals, pieces and faces that are others."""
+    finding = true.crossing(rng)
+    rows, a, b = (finding.witness[name] for name in ("Y", "A", "B"))
+    yield from wrong_rows(finding, rows, rng)
+    yield "W12_interval", finding.changed(**rng.choice(({"A": shifted(a, rng)}, {"B": shifted(b, rng)})))
+    yield "W12_swapped", finding.changed(A=b, B=a, Y=rows)
+    for name, pair in (("A", a), ("B", b)):
+        wide = [(bits, lo, lo + 1) if lo == hi else (bits, lo, lo) for bits, lo, hi in pair]
+        yield "W12_points", finding.changed(**{name: wide})
+    for name, pair in (("A", a), ("B", b)):
+        for at in range(2):
+            bits, lo, hi = pair[at]
+            if not is_point(pair[at]):
+                ends = ((0, hi), (lo, 1 << bits)) if name == "A" else ((0, hi),)
+                lo, hi = rng.choice(ends)
+                if name == "A" or at == 0:
+                    yield "W12_ends", finding.changed(**{name: [(bits, lo, hi) if i == at else pair[i] for i in range(2)]})
+    yield from wrong_pieces(finding, rng)
+    yield from wrong_places(rng)
+    yield from cut_pieces(rng)
+
+
+def wrong_rows(finding, rows, rng):
+    yield "W12_zero_rows", finding.changed(Y=[[0] * 3] * 3)
+    yield "W12_dependent", finding.changed(Y=[rows[0], rows[1], [x + y for x, y in zip(*rows[:2])]])
+    yield "W12_sign", finding.changed(Y=[[-c for c in row] if i == 0 else row for i, row in enumerate(rows)])
+    yield "W12_order", finding.changed(Y=rows[1:] + rows[:1])
+
+
+def wrong_pieces(finding, rng):
+    name, number = rng.choice((("sigma", "f"), ("rho", "g")))
+    piece, face = finding.witness[name], finding.witness[number]
+    a, b, c = piece
+    yield "W12_reversed", finding.changed(**{name: [b, a, c]})
+    yield "W12_flat", finding.changed(**{name: [a, b, mix((1, 1), (a, b))]})
+    corners = [finding.model.point(v) for v in finding.model.face(face)]
+    large = [mix((-HAIR, 1 + HAIR), (mix([1] * 3, corners), p)) for p in corners]
+    yield "W12_large", finding.changed(**{name: large})
+    normal = cross(sub(b, a), sub(c, a))
+    yield "W12_plane", finding.changed(**{name: [add(p, normal, -HAIR) for p in piece]})
+    other = face[0], (face[1] + rng.randint(1, 3)) % 4
+    yield "W12_face", finding.changed(**{number: other})
+
+
+def wrong_places(rng):
+    """True crossings of pieces that overlap, or are not of the boundary."""
+    found = None
+    while not found:
+        found = true.crossing_of_one_face(rng, beside=False)
+    sigma, rho = found.witness["sigma"], found.witness["rho"]
+    yield "W12_turned", found.changed(rho=[rho[1], rho[2], rho[0]])
+    yield "W12_overlap", found.changed(rho=[mix((1 << 30, 1, 1), rho), *rho[1:]])
+    same = [(9, 100, 102), (3, 4, 4)], [(9, 99, 103), (9, 250, 260)]
+    yield "W12_same", found.changed(A=same[0], B=same[1], rho=sigma)
+    yield "W12_one_place", found.changed(B=found.witness["A"], rho=sigma)
+
+
+def cut_pieces(rng):
+    """True crossings, but triangles of knots that are moved outward cross a piece: faces inside of whose planes there is one."""
+    one, other = true.two_parts(rng, degrees=(2, 3), far=True, names=("one",))
+    true.clouded(one, rng, outward=True)
+    lists = true.face_planes(one) + true.face_planes(other)
+    for f in one.boundary():
+        corners = [one.point(v) for v in one.face(f)]
+        if is_crossed(one, corners):
+            g, fixed = rng.choice(other.boundary()), rng.randrange(4)
+            rho, at = [other.point(v) for v in other.face(g)], true.parameters(rng, fixed)
+            true.meet(one, other, true.at_parameters(corners, *at[0]), true.at_parameters(rho, *at[1]), rng)
+            lie = true.crossing_of(true.joined(one, other), f, corners, (g[0] + len(one.tetrahedra), g[1]), rho, (one.maps[0], other.maps[0]), at,
+                                   fixed, rng, planes=lists)
+            if lie:
+                yield "W12_cut", lie.changed(planes_f=planes_through(corners, rng))
+            return
+
+
+def is_crossed(model, corners):
+    """A triangle of knots crosses the inside of this one, knots on both sides."""
+    normal = cross(sub(corners[1], corners[0]), sub(corners[2], corners[0]))
+    for three in model.triangles():
+        heights = [dot(normal, sub(k, corners[0])) for k in three]
+        if min(heights) < 0 < max(heights):
+            ends = [mix((abs(g), abs(h)), (a, b)) for (a, h), (b, g) in itertools.combinations(zip(three, heights), 2) if h * g < 0]
+            ends += [list(k) for k, h in zip(three, heights) if h == 0]
+            middle = mix((1, 1), ends)
+            if all(dot(cross(sub(corners[i - 2], corners[i]), sub(middle, corners[i])), normal) > 0 for i in range(3)):
+                return True
+    return False
+
+
+def crossings_without_defect(rng):
+    """Faces of a solid, and intervals about points that are near each other or one, on both sides of an edge, too."""
+    model, lists = true.some_clouded(rng)
+    maps = true.any_map(rng, model.degree, 1)
+    model.maps = [maps] * len(model.clouds)
+    for _ in range(3):
+        f, g = (rng.choice(model.boundary()) for _ in range(2))
+        sigma, rho = ([model.point(v) for v in model.face(n)] for n in (f, g))
+        fixed = rng.randrange(4)
+        at = true.parameters(rng, fixed)
+        common = [p for p in sigma if p in rho]
+        if f == g and rng.random() < .5:
+            at = (at[0], at[0])
+        elif len(common) == 2 and rng.random() < .7:      # beside a point of the common edge
+            sigma, rho = ([next(p for p in piece if p not in common), *common] for piece in (sigma, rho))
+            at = ([1 - HAIR, Q(1, 2)], [1 - HAIR, Q(1, 2)])
+            sigma, rho = oriented(sigma, model, f), oriented(rho, model, g)
+        lie = true.crossing_of(model, f, sigma, g, rho, (maps, maps), at, fixed, rng, planes=lists, k=rng.choice((3, 5, 9)))
+        if lie:
+            yield "no_defect_12", lie
+
+
+def oriented(piece, model, face):
+    a, b, c = (model.point(v) for v in model.face(face))
+    normal = cross(sub(b, a), sub(c, a))
+    p, q, r = piece
+    return piece if dot(normal, cross(sub(q, p), sub(r, p))) > 0 else [p, r, q]

@@ -78,16 +78,27 @@ def clouded(model, rng, outward=False):
     the hulls then.)"""
     if model.degree == 1 and not model.separate:
         return model
-    outer, middle = outer_vertices(model), centre(model)
+    outer = outer_vertices(model)
     for v in range(len(model.clouds)):
         for i in range(1, model.degree + model.separate):
             if v not in outer and rng.random() < .8:
                 model.set_knot(v, i, add(model.point(v), [Q(rng.randint(-9, 9), 90) for _ in range(3)]))
             elif v in outer and outward:
-                model.set_knot(v, i, add(model.point(v), sub(model.point(v), middle), Q(rng.randint(0, 5), 20)))
+                model.set_knot(v, i, add(model.point(v), way_out(model, v, rng), Q(rng.randint(0, 5), 20)))
     if not model.has_good_clouds():
         model.clouds = [[cloud[0]] for cloud in model.clouds]
     return model
+
+
+def way_out(model, v, rng):
+    """A direction from a vertex of a convex domain that leaves it across each of the vertex's faces."""
+    normals = [normal_of(*[model.point(w) for w in model.face(f)]) for f in model.boundary() if v in model.face(f)]
+    straight = sub(model.point(v), centre(model))
+    for _ in range(20):
+        way = add(straight, [Q(rng.randint(-9, 9), 9) for _ in range(3)])
+        if all(dot(normal, way) >= 0 for normal in normals):
+            return way
+    return straight
 
 
 def normal_of(a, b, c):
@@ -288,7 +299,10 @@ def two_fans(rng):
     return Invalid(model, 8, v=v)
 
 
-def two_parts(rng, degrees=(1, 2, 2, 3), far=False, names=("one", "pair", "one", "star")):
+PARTS = "one", "pair", "one", "star"
+
+
+def two_parts(rng, degrees=(1, 2, 2, 3), far=False, names=PARTS):
     """Two models, the second one far away from the first, if asked for."""
     models = [some_model(rng, *names, degrees=degrees) for _ in range(2)]
     models[1].degree, models[1].separate = models[0].degree, models[0].separate
@@ -301,12 +315,16 @@ def move(model, by):
     model.clouds = [[add(knot, by) for knot in cloud] for cloud in model.clouds]
 
 
-def improper_point(rng):
-    one, other = two_parts(rng)
-    f, g = rng.choice(one.boundary()), rng.choice(other.boundary())
+def inner_faces(model):
+    return sorted({(t, k) for t in range(len(model.tetrahedra)) for k in range(4)} - set(model.boundary()))
+
+
+def improper_point(rng, inner=False):
+    """inner: the first face is none of the boundary, and the rest is right."""
+    one, other = two_parts(rng, names=("pair", "star") if inner else PARTS)
+    f, g = rng.choice(inner_faces(one) if inner else one.boundary()), rng.choice(other.boundary())
     w, x = ([Q(rng.choice((0, 1, 1, 2, 3))) for _ in range(3)] for _ in range(2))
-    if not any(w) or not any(x):
-        return improper_point(rng)
+    w[rng.randrange(3)] = x[rng.randrange(3)] = Q(1)
     here, there = mix(w, [one.point(v) for v in one.face(f)]), mix(x, [other.point(v) for v in other.face(g)])
     move(other, sub(here, there))
     return Invalid(joined(one, other), 9, f=f, g=(g[0] + len(one.tetrahedra), g[1]), w=w, x=x)
@@ -464,42 +482,56 @@ def parameters(rng, fixed):
 
 def crossing(rng):
     make = rng.choice((crossing_of_parts, crossing_of_parts, crossing_of_one_face))
+    return until(make, rng)
+
+
+def until(make, *arguments):
     while True:
-        found = make(rng)
+        found = make(*arguments)
         if found:
             return found
 
 
-def crossing_of_parts(rng):
-    one, other = two_parts(rng, far=True, names=("one", "pair", "star"))
+def crossing_of_parts(rng, change=lambda piece, normal: piece, inner=False):
+    """change: of the first piece. inner: its face is none of the boundary."""
+    one, other = two_parts(rng, far=True, names=("pair", "star") if inner else ("one", "pair", "star"))
     for model in (one, other):
         clouded(model, rng)
-    f, g = rng.choice(one.boundary()), rng.choice(other.boundary())
+    f, g = rng.choice(inner_faces(one) if inner else one.boundary()), rng.choice(other.boundary())
     sigma, rho = (piece_of([m.point(v) for v in m.face(n)], rng) for m, n in ((one, f), (other, g)))
+    sigma = change(sigma, normal_of(*sigma))
     fixed = rng.randrange(4)
     at = parameters(rng, fixed)
     meet(one, other, at_parameters(sigma, *at[0]), at_parameters(rho, *at[1]), rng)
     return crossing_of(joined(one, other), f, sigma, (g[0] + len(one.tetrahedra), g[1]), rho, (one.maps[0], other.maps[0]), at, fixed, rng)
 
 
-def crossing_of_one_face(rng, beside=None):
-    """A surface that passes a curve twice."""
+def pieces_beside(corners, rng):
+    a, b, c = corners
+    m = mix(shares(rng, 2), (b, c))
+    return [a, b, m], [a, m, c]
+
+
+def piece_twice(corners, rng):
+    piece = piece_of(corners, rng)
+    return piece, piece
+
+
+def crossing_of_one_face(rng, pieces=None):
+    """A surface that passes a curve twice. pieces: draws two in a face."""
+    pieces = pieces or rng.choice((pieces_beside, piece_twice))
     model = clouded(some_model(rng, "one", "star", "cube", degrees=(3,)), rng)
     f = rng.choice(model.boundary())
-    a, b, c = [model.point(v) for v in model.face(f)]
-    if rng.random() < .5 if beside is None else beside:
-        m = mix(shares(rng, 2), (b, c))
-        sigma, rho = [a, b, m], [a, m, c]
-    else:
-        sigma = rho = piece_of((a, b, c), rng)
+    sigma, rho = pieces([model.point(v) for v in model.face(f)], rng)
     fixed = rng.randrange(4)
     at = parameters(rng, fixed)
     if sigma == rho and max(abs(x - y) for x, y in zip(*at)) < Q(1, 16):
         return None
     u, v = at_parameters(sigma, *at[0]), at_parameters(rho, *at[1])
+    if u == v:
+        return None
     w, y, z = dual_axes(u, v, rng)
-    nodal = (w * w, w * w * w + w * Q(-1), y)
-    parts = after(matrix(rng), [0, 0, 0], nodal)
+    parts = after(matrix(rng), [0, 0, 0], (w * w, w * w * w + w * Q(-1), y))
     model.maps = [parts] * len(model.clouds)
     return crossing_of(model, f, sigma, f, rho, (parts, parts), at, fixed, rng, k=12)
 

@@ -14,7 +14,7 @@ import dms_invalid_findings as true
 import dms_invalid_maps_liars as maps
 import patch_attacks
 import vmodel_liars
-from dms_invalid_forge import NAMES, OF_THE_MAP, Invalid, add, is_inside, mix, turned, volume
+from dms_invalid_forge import NAMES, Invalid, add, is_inside, mix, turned, volume
 
 # Needed alone; without D1, E2 fails.
 CONDITIONS = ["B2", "B3", "D2", "E1", "E2", "E3", *("W%d" % kind for kind in range(len(NAMES)))]
@@ -113,18 +113,26 @@ def wrong_indices(rng):
         yield "W2_positive", finding.changed(tet=t, gamma=gamma)
     yield "W2_above", finding.changed(gamma=[rng.choice((255, 128, model.degree + 1)) if i else 0 for i in finding.witness["gamma"]])
     yield "W2_last", beyond_last(finding)
+    k, t = next(k for k in range(4) if finding.witness["gamma"][k]), finding.witness["tet"]
+    lie = finding.changed()
+    lie.model.set_knot(model.tetrahedra[t][k], max(finding.witness["gamma"]), mix([HAIR if i == k else 1 for i in range(4)], model.corners(t)))
+    yield "W2_small", lie
 
 
 def beyond_last(finding):
-    """The knot that is on the wrong side is the last one, of which no condition is."""
-    finding = copy.deepcopy(finding)
+    """The knots that are in wrong places are the last ones, of which no condition is: the control points are shared."""
+    finding = finding.changed()
     model, n = finding.model, finding.model.degree
-    model.separate = False
-    k = next(k for k in range(4) if finding.witness["gamma"][k])
-    v = model.tetrahedra[finding.witness["tet"]][k]
-    bad = model.knot(v, finding.witness["gamma"][k])
-    model.clouds[v] = [model.point(v)] * n + [bad]
-    finding.witness["gamma"] = [n if i == k else 0 for i in range(4)]
+    was_separate, model.separate = model.separate, False
+    if was_separate and n == 1:                           # they have one knot or two
+        model.clouds = [cloud[:2] for cloud in model.clouds]
+    else:
+        model.clouds = [cloud if len(cloud) == 1 else [cloud[0]] * n + [next((k for k in cloud if k != cloud[0]), cloud[0])] for cloud in model.clouds]
+    above = lambda gamma: [n if i else 0 for i in gamma]      # noqa: E731
+    if finding.kind == 2:
+        finding.witness["gamma"] = above(finding.witness["gamma"])
+    else:
+        finding.witness["terms"] = [(above(gamma), m, y) for gamma, m, y in finding.witness["terms"]]
     return finding
 
 
@@ -139,6 +147,7 @@ def wrong_cores(rng):
     yield "W3_fewer", finding.changed(terms=terms[1:])
     yield "W3_point", finding.changed(terms=[(gamma, (m + rng.randint(1, 3)) % 4, y), *terms[1:]])
     yield "W3_above", finding.changed(terms=[([model.degree + model.separate + 1 if i else 0 for i in gamma], m, y), *terms[1:]])
+    yield "W3_last", beyond_last(finding)
     whole = [(gamma, m, Q(1)) for m in range(4)]          # the sum is d of the knots
     yield "W3_whole", finding.changed(terms=whole)
     bad = true.degenerate_cloud(rng)
@@ -215,6 +224,7 @@ def wrong_contacts(rng):
     yield "W9_negative", finding.changed(w=[-c for c in w], x=[-c for c in x])
     yield "W9_point", finding.changed(x=[x[0] + HAIR, *x[1:]] if any(x[1:]) else [Q(0), Q(1), Q(0)])
     yield "W9_one_face", finding.changed(g=finding.witness["f"], x=w)
+    yield "W9_inner_face", true.improper_point(rng, inner=True)
     model = true.some_model(rng)
     f, g = rng.sample(model.boundary(), 2)
     common = set(model.face(f)) & set(model.face(g))
@@ -297,9 +307,9 @@ def spoiled(rng):
 
 def planes_left_out(rng):
     """E3: the planes beside the domain are missing, or others, and needed."""
-    model, lists = true.some_clouded(rng, "cube", degrees=(2, 3))
-    if not lists:
-        return
+    lists = None
+    while not lists:
+        model, lists = true.some_clouded(rng, "cube", "pair", degrees=(2, 2, 3))
     model.maps = [true.any_map(rng, model.degree, -1)] * len(model.clouds)
     middle = true.centre(model)
     cut = [[[*plane[:3], sum(a * b for a, b in zip(plane, middle))] for plane in planes] for planes in lists]
@@ -367,8 +377,9 @@ def malformed(rng):
     yield "magic", finding.told(magic=rng.choice((b"VTDM", b"VTVI", b"vtdi")))
     kind = rng.choice([k for k in range(14) if k != finding.kind])
     yield "kind_byte", finding.told(kind_byte=kind, values={"finding": NAMES[min(kind, 12)]})
-    if finding.kind in OF_THE_MAP:
-        yield "faces", finding.told(lists=rng.choice((finding.lists[1:], [*finding.lists, []])))
+    of_map, cores = true.negative(rng), true.no_core(rng)
+    yield "faces", of_map.told(lists=rng.choice((of_map.lists[1:], [*of_map.lists, []])))
+    yield "no_terms", cores.changed(terms=rng.choice(([], cores.witness["terms"][:1] * 5)))
     if "tet" in finding.witness:
         yield "no_tet", finding.changed(tet=len(finding.model.tetrahedra))
 

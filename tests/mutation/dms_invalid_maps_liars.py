@@ -216,8 +216,11 @@ def wrong_crossings(rng):
     yield "W12_interval", finding.changed(**rng.choice(({"A": shifted(a, rng)}, {"B": shifted(b, rng)})))
     yield "W12_swapped", finding.changed(A=b, B=a, Y=rows)
     for name, pair in (("A", a), ("B", b)):
-        wide = [(bits, lo, lo + 1) if lo == hi else (bits, lo, lo) for bits, lo, hi in pair]
-        yield "W12_points", finding.changed(**{name: wide})
+        point = [(bits, lo, lo) for bits, lo, hi in pair]
+        yield "W12_points", finding.changed(**{name: point})
+        if any(map(is_point, pair)):                      # by very little
+            wide = [(bits + 40, lo << 40, (lo << 40) + 1) if lo == hi else (bits, lo, hi) for bits, lo, hi in pair]
+            yield "W12_no_point", finding.changed(**{name: wide})
     for name, pair in (("A", a), ("B", b)):
         for at in range(2):
             bits, lo, hi = pair[at]
@@ -238,38 +241,81 @@ def wrong_rows(finding, rows, rng):
     yield "W12_order", finding.changed(Y=rows[1:] + rows[:1])
 
 
+def larger(points):
+    """By a hair, about their middle."""
+    middle = mix([1] * len(points), points)
+    return [mix((-HAIR, 1 + HAIR), (middle, p)) for p in points]
+
+
+def smaller(points):
+    middle = mix([1] * len(points), points)
+    return [mix((1, 3), (middle, p)) for p in points]
+
+
 def wrong_pieces(finding, rng):
     name, number = rng.choice((("sigma", "f"), ("rho", "g")))
-    piece, face = finding.witness[name], finding.witness[number]
-    a, b, c = piece
-    yield "W12_reversed", finding.changed(**{name: [b, a, c]})
+    a, b, c = finding.witness[name]
     yield "W12_flat", finding.changed(**{name: [a, b, mix((1, 1), (a, b))]})
-    corners = [finding.model.point(v) for v in finding.model.face(face)]
-    large = [mix((-HAIR, 1 + HAIR), (mix([1] * 3, corners), p)) for p in corners]
-    yield "W12_large", finding.changed(**{name: large})
-    normal = cross(sub(b, a), sub(c, a))
-    yield "W12_plane", finding.changed(**{name: [add(p, normal, -HAIR) for p in piece]})
-    other = face[0], (face[1] + rng.randint(1, 3)) % 4
-    yield "W12_face", finding.changed(**{number: other})
+    face = finding.witness[number]
+    yield "W12_face", finding.changed(**{number: (face[0], (face[1] + rng.randint(1, 3)) % 4)})
 
 
 def wrong_places(rng):
-    """True crossings of pieces that overlap, or are not of the boundary."""
-    found = None
-    while not found:
-        found = true.crossing_of_one_face(rng, beside=False)
-    sigma, rho = found.witness["sigma"], found.witness["rho"]
-    yield "W12_turned", found.changed(rho=[rho[1], rho[2], rho[0]])
-    yield "W12_overlap", found.changed(rho=[mix((1 << 30, 1, 1), rho), *rho[1:]])
+    """True crossings of pieces that are reversed, not in a face of the boundary, or that overlap."""
+    make = true.crossing_of_parts
+    yield "W12_reversed", true.until(make, rng, lambda piece, _: [piece[1], piece[0], piece[2]])
+    yield "W12_inner", true.until(make, rng, lambda piece, _: piece, True)
+    yield "W12_plane", true.until(make, rng, lambda piece, normal: [add(p, normal, -HAIR) for p in smaller(piece)])
+    yield "W12_large", true.until(beside_its_face, rng, "one", lambda model: [(f, f, larger) for f in model.boundary()])
+    yield "W12_neighbour", true.until(beside_its_face, rng, "cube", neighbours)
+    yield "W12_turned", true.until(true.crossing_of_one_face, rng, turned_piece)
+    yield "W12_overlap", true.until(true.crossing_of_one_face, rng, overlapping_pieces)
+    found = true.until(true.crossing_of_one_face, rng, true.piece_twice)
     same = [(9, 100, 102), (3, 4, 4)], [(9, 99, 103), (9, 250, 260)]
-    yield "W12_same", found.changed(A=same[0], B=same[1], rho=sigma)
-    yield "W12_one_place", found.changed(B=found.witness["A"], rho=sigma)
+    yield "W12_same", found.changed(A=same[0], B=same[1])
+    yield "W12_one_place", found.changed(B=found.witness["A"])
+
+
+def turned_piece(corners, rng):
+    a, b, c = true.piece_of(corners, rng)
+    return [a, b, c], [b, c, a]
+
+
+def overlapping_pieces(corners, rng):
+    a, b, c = corners
+    return [mix((1 << 30, 1, 1), corners), b, c], [list(p) for p in corners]
+
+
+def beside_its_face(rng, name, choices):
+    """A true crossing, but the first piece, which is a change of a face, is said to be of another face, or is too large for it. choices:
+    (face, that of which it is said to be, change)"""
+    one, other = (true.some_model(rng, n, degrees=(2,)) for n in (name, "one"))
+    one.separate = other.separate = False
+    true.move(other, [Q(1000)] * 3)
+    f, said, change = rng.choice(choices(one))
+    g, fixed = rng.choice(other.boundary()), rng.randrange(4)
+    sigma, rho = change([one.point(v) for v in one.face(f)]), [other.point(v) for v in other.face(g)]
+    at = true.parameters(rng, fixed)
+    true.meet(one, other, true.at_parameters(sigma, *at[0]), true.at_parameters(rho, *at[1]), rng)
+    return true.crossing_of(true.joined(one, other), said, sigma, (g[0] + len(one.tetrahedra), g[1]), rho, (one.maps[0], other.maps[0]), at, fixed, rng)
+
+
+def neighbours(model):
+    """Two faces in a plane."""
+    found = []
+    for f, g in itertools.permutations(model.boundary(), 2):
+        a, b, c = (model.point(v) for v in model.face(f))
+        if all(volume(a, b, c, model.point(v)) == 0 for v in model.face(g)):
+            found.append((f, g, smaller))
+    return found
 
 
 def cut_pieces(rng):
     """True crossings, but triangles of knots that are moved outward cross a piece: faces inside of whose planes there is one."""
-    one, other = true.two_parts(rng, degrees=(2, 3), far=True, names=("one",))
+    one, other = (true.some_model(rng, name, degrees=(2,)) for name in ("cube", "one"))
+    one.separate = other.separate = False
     true.clouded(one, rng, outward=True)
+    true.move(other, [Q(1000)] * 3)
     lists = true.face_planes(one) + true.face_planes(other)
     for f in one.boundary():
         corners = [one.point(v) for v in one.face(f)]

@@ -454,7 +454,7 @@ def rows_at(parts, corners, parameters):
 def crossing_of(model, f, sigma, g, rho, maps, at, fixed, rng, k=None, planes=None):
     """The finding, or None if the two images touch only. maps: of both; at: parameters, of which number `fixed` (0 to 3) is a fraction of a
     power of two."""
-    k = k or rng.choice((9, 11, 14))
+    k = k or rng.choice((16, 20, 24, 30))
     directions = rows_at([maps[0]], sigma, at[0]) + [[-c for c in way] for way in rows_at([maps[1]], rho, at[1])]
     free = [way for i, way in enumerate(directions) if i != fixed]
     if det3(free) == 0:
@@ -471,7 +471,7 @@ def crossing_of(model, f, sigma, g, rho, maps, at, fixed, rng, k=None, planes=No
         if not 0 < intervals[-1][1] <= intervals[-1][2] < 1 << intervals[-1][0]:
             return None
     return Invalid(model, 12, planes, f=f, sigma=sigma, planes_f=[], g=g, rho=rho, planes_g=[], A=intervals[:2], B=intervals[2:],
-                   Y=[[round(c / most * (1 << 30)) for c in row] for row in y])
+                   Y=[[round(c / most * (1 << 60)) for c in row] for row in y])
 
 
 def parameters(rng, fixed):
@@ -533,7 +533,7 @@ def crossing_of_one_face(rng, pieces=None):
     w, y, z = dual_axes(u, v, rng)
     parts = after(matrix(rng), [0, 0, 0], (w * w, w * w * w + w * Q(-1), y))
     model.maps = [parts] * len(model.clouds)
-    return crossing_of(model, f, sigma, f, rho, (parts, parts), at, fixed, rng, k=12)
+    return crossing_of(model, f, sigma, f, rho, (parts, parts), at, fixed, rng)
 
 
 HONEST = (reversed_tet, overused_face, degenerate_cloud, no_core, inner_hull, negative, flat_leaf, edge_of_three, two_fans, improper_point,

@@ -386,7 +386,7 @@ def malformed(rng):
 
 STRATEGIES = ((solids_without_defect, 8), (wrong_tets, 2), (wrong_faces, 3), (wrong_indices, 4), (wrong_cores, 6), (wrong_hulls, 6),
               (wrong_edges, 4), (wrong_contacts, 5), (wrong_overlaps, 4), (maps.wrong_points, 5), (maps.wrong_leaves, 5), (maps.wrong_meetings, 4),
-              (maps.wrong_crossings, 8), (maps.crossings_without_defect, 4), (spoiled, 6), (planes_left_out, 2), (long_numbers, 2),
+              (maps.wrong_crossings, 8), (maps.crossings_without_defect, 4), (spoiled, 12), (planes_left_out, 2), (long_numbers, 2),
               (wrong_statements, 2), (malformed, 1))
 
 

@@ -4,7 +4,7 @@ import itertools
 from fractions import Fraction as Q
 
 import dms_invalid_findings as true
-from dms_invalid_forge import ONE, X, Y, Z, Invalid, add, affine, after, cross, det3, dot, is_inside, mix, sub, volume
+from dms_invalid_forge import ONE, X, Y, Z, Invalid, add, affine, after, cross, det3, dot, is_inside, jacobian, mix, sub, volume
 
 EPSILON, HAIR = Q(1, 1 << 60), Q(1, 1 << 40)
 
@@ -102,6 +102,8 @@ def zero_in_rows(rng):
     rng.shuffle(roots)
     first, second, third = (roots[i::3] for i in range(3))
     other, last = (affine(0, *row) for row in true.matrix(rng)[:2])
+    if not det3(jacobian((share, other, last), middle)):
+        return zero_in_rows(rng)
     if n == 2:
         integral = with_roots(first * 2, share) * Q(1, 2)
     else:
@@ -196,8 +198,8 @@ def moved_inside(model, v, rng):
 # ---------------------------------------------------------------- crossings (kind 12)
 
 def shifted(pair, rng):
-    """One of two intervals is elsewhere."""
-    at = rng.randrange(2)
+    """An interval of two is elsewhere, not a point: the surfaces cross along a curve."""
+    at = rng.choice([i for i in range(2) if not is_point(pair[i])])
     bits, lo, hi = pair[at]
     size = hi - lo
     lo = lo + 4 * size + 1 if hi + 4 * size + 1 < 1 << bits else max(1, lo - 4 * size - 2)

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Lying provers against both checkers of the claim dms-invalid-1, with fixed seeds (dms_invalid_liars.py runs more).
 
-VERITOPE_CHECK names the C++ checker; if unset it is built from verify/checker in a temporary folder.
+VERITOPE names the program that proves dms-solid-1; VERITOPE_CHECK names the C++ checker; if unset it is built from verify/checker in a
+temporary folder.
 """
 import os
 import random
@@ -12,6 +13,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import dms_invalid_findings as true                       # noqa: E402
 import dms_invalid_liars as liars                         # noqa: E402
+import dms_liars                                          # noqa: E402
 import mutation_test                                      # noqa: E402
 import patch_attacks                                      # noqa: E402
 
@@ -43,6 +45,14 @@ class DmsInvalidMutationTest(mutation_test.WithBothCheckers):
             finding = liars.maps.negative_side(random.Random(seed))
             data = finding.model.data()
             self.run_.accept("jacobian between two sides", patch_attacks.Subject(data), finding.certificate(data), seed)
+        self.assertEqual(self.run_.failures, [])
+
+    def test_a_solid_may_have_clouds_without_a_core(self):
+        """The one finding beside which dms-solid-1 may hold: that claim does not need condition (b)."""
+        finding = true.no_core(random.Random(1))
+        data = finding.model.data()
+        for certificate in (finding.certificate(data), dms_liars.proved(data).certificate()):
+            self.run_.accept("no core", patch_attacks.Subject(data), certificate, 1)
         self.assertEqual(self.run_.failures, [])
 
 

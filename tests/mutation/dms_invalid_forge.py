@@ -174,7 +174,7 @@ class Model:
         return [self.knot(v, k) for v, i in zip(self.tetrahedra[t], gamma) for k in range(i + 1)]
 
     def triangles(self):
-        """Of knots, not on one line."""
+        """Triangles of knots, not on one line."""
         found = set()
         for t in range(len(self.tetrahedra)):
             for gamma in self.gammas(self.degree - 1):
@@ -242,7 +242,7 @@ def terms_code(terms):
     return bytes([len(terms) & 255]) + b"".join(u8s((*gamma, m)) + files.rational(y) for gamma, m, y in terms)
 
 
-# Of each kind the fields of its witness, in order, each with its code.
+# The fields of the witness of each kind, in order, each with its code.
 FIELDS = (
     {"tet": files.varint},
     {"f": face_code, "g": face_code},

@@ -26,7 +26,7 @@ def is_of_the_boundary(model, *faces):
     return all(cycle(face) in known for face in faces)
 
 def is_strictly_inside(point, corners):
-    """Of a tetrahedron, whose volume has to be positive, too."""
+    """Whether a point is inside of a tetrahedron, whose volume is positive, too."""
     return det(*corners) > 0 and all(det(point, *face) > 0 for face, _ in faces_and_apexes(corners))
 
 def mean(points, weights):

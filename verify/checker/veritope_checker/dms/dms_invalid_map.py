@@ -109,7 +109,7 @@ class MapFindings:
         return None
 
     def net_on(self, points, near):
-        """Of a tensor patch over (s, t), in integers."""
+        """The net of a tensor patch over (s, t), in integers."""
         rows = triangle_entity(self.model.degree, coefficients(self.spline, points, near)).rows
         factor = lcm(*[c.denominator for row in rows for p in row for c in p])
         return over_square([[[int(p[i] * factor) for p in row] for row in rows] for i in range(4)])

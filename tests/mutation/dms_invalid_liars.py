@@ -3,7 +3,7 @@
 """Lying provers against the checkers of the claim dms-invalid-1: findings about solids without a defect, and true findings in which one thing
 is wrong. As vmodel_liars.py, whose harness this is. Run
 
-    python3 tests/mutation/dms_invalid_liars.py --count 20000 --honest 1000 --seed 1 --checker PATH_TO_veritope-check
+    python3 tests/mutation/dms_invalid_liars.py --count 10000 --honest 1000 --seed 1 --checker PATH_TO_veritope-check
 """
 import copy
 import itertools

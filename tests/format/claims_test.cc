@@ -209,6 +209,33 @@ std::vector<VModelInvalidBody> invalid_vmodels() {
           {400, PinchedPoint{300, 7}}};
 }
 
+// A body of each kind of finding.
+std::vector<DmsInvalidBody> invalid_dms() {
+  const Fraction half{false, {1}, {2}}, odd{true, {3, 1}, {7, 9}};
+  const DmsPointProof p{half, odd, half}, q{odd, odd, odd};
+  const DmsPlaneProof plane{{half, odd, half}, odd};
+  const DmsFaceName f{300, 3}, g{0, 0};
+  const UnitInterval whole{0, 0, 1}, part{62, 0, std::uint64_t{1} << 62};
+  const std::vector<std::vector<DmsPlaneProof>> planes{{}, {plane, plane}, {plane}};
+  return {{400, DmsReversedTetrahedron{300}, {}},
+          {400, DmsOverusedFace{{f, g}}, {}},
+          {400, DmsDegenerateCloud{300, {0, 9, 1, 0}}, {}},
+          {400, DmsCloudWithoutCore{300, {{{0, 1, 0, 0}, 3, half}, {{9, 0, 0, 0}, 0, odd}}}, {}},
+          {400, DmsCloudInside{f, {1, 0, 1}, 128, {half, odd, half, odd, odd}}, {}},
+          {400, DmsNegativePoint{p}, planes},
+          {400, DmsFlatLeaf{300, {p, q, q, p}, {plane}}, planes},
+          {400, DmsCrowdedEdgeName{{7, 300}}, {}},
+          {400, DmsPinchedVertexName{300}, {}},
+          {400, DmsImproperPoint{{f, g}, {p, q}}, {}},
+          {400, DmsOverlapPoint{{300, 0}, q}, {}},
+          {400, DmsMeetingPoints{{p, q}}, planes},
+          {400,
+           DmsCrossingPieces{{{{f, {p, q, p}, {plane}}, {g, {q, q, p}, {}}}},
+                             {{{whole, part}, {part, whole}}},
+                             {{{1, -2, 3}, {0, -64, 64}, {7, 8, 9}}}},
+           planes}};
+}
+
 // A certificate of each claim, and bodies that fit it. All claims of the table must be here.
 struct Example {
   Bytes certificate;
@@ -273,6 +300,9 @@ std::map<std::string, Example, std::less<>> examples() {
   std::vector<AnyBody> findings;
   for (const VModelInvalidBody& body : invalid_vmodels()) findings.emplace_back(body);
   all["vmodel-invalid-1"] = {encode(subject, invalid_vmodels()[0]), std::move(findings), {}};
+  std::vector<AnyBody> of_dms;
+  for (const DmsInvalidBody& body : invalid_dms()) of_dms.emplace_back(body);
+  all["dms-invalid-1"] = {encode(subject, invalid_dms()[0]), std::move(of_dms), {}};
   return all;
 }
 

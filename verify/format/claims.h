@@ -13,6 +13,7 @@
 
 #include "verify/format/collar_certificate.h"
 #include "verify/format/dms_certificate.h"
+#include "verify/format/dms_invalid_certificate.h"
 #include "verify/format/mesh_certificate.h"
 #include "verify/format/micro_certificate.h"
 #include "verify/format/micro_inside_certificate.h"
@@ -26,9 +27,10 @@
 namespace veritope::certificate {
 
 /// The body of a certificate as plain data.
-using AnyBody = std::variant<ValidBody, InvalidBody, ReversedBody, StarBoxBody, CollarBody,
-                             PatchInvalidBody, PatchMeetingBody, PointsBody, VolumeFoldedBody,
-                             VModelBody, VModelInvalidBody, MicroBody, MicroInsideBody, DmsBody>;
+using AnyBody =
+    std::variant<ValidBody, InvalidBody, ReversedBody, StarBoxBody, CollarBody, PatchInvalidBody,
+                 PatchMeetingBody, PointsBody, VolumeFoldedBody, VModelBody, VModelInvalidBody,
+                 MicroBody, MicroInsideBody, DmsBody, DmsInvalidBody>;
 
 /// Which entities of the model are surfaces; the others are triangles. Bodies of version 1 about patches do not say so
 /// themselves.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "verify/format/byte_stream.h"
+#include "verify/format/dms_planes_internal.h"
 #include "verify/format/micro_certificate.h"
 #include "verify/format/patch_certificate_text_internal.h"
 #include "verify/format/sha256.h"
@@ -16,20 +17,16 @@ namespace {
 
 using internal::ByteReader;
 using internal::ByteWriter;
+using internal::read_count;
+using internal::read_planes;
+using internal::write_planes;
 
 constexpr std::size_t kLeastBytesOfTree = 20, kLeastBytesOfFace = 2, kLeastBytesOfPoint = 6,
-                      kLeastBytesOfPlane = 8, kLeastBytesOfDmsTile = 4;
+                      kLeastBytesOfDmsTile = 4;
 constexpr std::size_t kMaxLevels = 64;
 // Symbols of trees: edges cut at the middle, edges cut elsewhere, leaves.
 constexpr std::uint8_t kNumEdges = 6, kLeafH = 12, kLeafP = 13;
 
-void write_planes(ByteWriter& w, const std::vector<DmsPlaneProof>& planes) {
-  w.varint(planes.size());
-  for (const DmsPlaneProof& plane : planes) {
-    for (const Fraction& x : plane.vector) internal::write_fraction(w, x);
-    internal::write_fraction(w, plane.number);
-  }
-}
 void write_node(ByteWriter& w, const DmsCutProof& cut) {
   w.u8(static_cast<std::uint8_t>(cut.edge + (cut.at ? kNumEdges : 0)));
   if (cut.at) internal::write_fraction(w, *cut.at);
@@ -45,20 +42,6 @@ void write_part(ByteWriter& w, const StarBoxBody& boxes) {
   w.raw(bytes);
 }
 
-// A count, or a failure if the bytes left are too few for it.
-std::uint64_t read_count(ByteReader& r, std::size_t least_size) {
-  const std::uint64_t n = r.varint();
-  if (r.ok() && n > r.left() / least_size) r.fail();
-  return r.ok() ? n : 0;
-}
-std::vector<DmsPlaneProof> read_planes(ByteReader& r) {
-  std::vector<DmsPlaneProof> out(read_count(r, kLeastBytesOfPlane));
-  for (DmsPlaneProof& plane : out) {
-    for (Fraction& x : plane.vector) x = internal::read_fraction(r);
-    plane.number = internal::read_fraction(r);
-  }
-  return out;
-}
 DmsTreeProof read_tree(ByteReader& r) {
   DmsTreeProof out;
   std::vector<std::size_t> levels{0};

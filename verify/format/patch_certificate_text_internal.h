@@ -8,6 +8,7 @@
 
 #include "verify/format/collar_certificate.h"
 #include "verify/format/dms_certificate.h"
+#include "verify/format/dms_invalid_certificate.h"
 #include "verify/format/micro_certificate.h"
 #include "verify/format/micro_inside_certificate.h"
 #include "verify/format/patch_invalid_certificate.h"
@@ -26,6 +27,7 @@ std::string explain(const VolumeFoldedBody& body, std::string_view claim, std::s
 std::string explain(const VModelBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const VModelInvalidBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const DmsBody& body, std::string_view claim, std::size_t max_items);
+std::string explain(const DmsInvalidBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const MicroBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const MicroInsideBody& body, std::string_view claim, std::size_t max_items);
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "solids/dms/dms_core.h"
+
 namespace veritope {
 namespace {
 
@@ -32,8 +34,8 @@ std::optional<DmsPlane> parting(const DmsPoint& vector, const Points& hull,
   return std::nullopt;
 }
 
-// Two polytopes that can be parted by a plane can be by one of the directions of a face of either one, or normal to an
-// edge of each.
+// Two polytopes with inner points that can be parted by a plane can be by one of the directions of a face of either
+// one, or normal to an edge of each.
 std::optional<DmsPlane> find_parting(const Points& hull, const std::array<DmsPoint, 4>& corners) {
   Points edges_of_hull, edges;
   for (std::size_t i = 0; i < hull.size(); ++i)
@@ -98,8 +100,13 @@ class HullParting {
       std::vector<DmsPlane> planes = face_planes(corners);
       planes.insert(planes.end(), planes_.begin(), planes_.end());
       if (DmsRegion(knots_, {corners.begin(), corners.end()}, planes).misses(hull)) continue;
+      // Planes of edges and faces have short numbers.
       auto plane = find_parting(points, corners);
-      if (!plane) return t;
+      if (!plane) {
+        auto parted = part_from_tetrahedron(points, corners);
+        if (parted.index() == 1) return t;
+        plane = std::get<DmsPlane>(std::move(parted));
+      }
       planes_.push_back(std::move(*plane));
     }
     return std::nullopt;

@@ -16,13 +16,13 @@ namespace veritope {
 /// at the same multiset of vertices. REQUIRES separate control points.
 std::optional<std::uint32_t> find_disagreeing_control(const DmsModel& model);
 
-/// A face of the boundary and a tetrahedron that no plane was found to part.
+/// A face of the boundary and a tetrahedron that no plane parts: a hull of knots reaches into it.
 struct DmsOpenHull {
   TetrahedronFace face = 0;
   std::uint32_t tetrahedron = 0;
 };
 /// For each face of the boundary the planes that part the hulls of its knots from tetrahedra, besides those across the
-/// axes and those of the tetrahedra's faces, which are not listed; or where no plane was found.
+/// axes and those of the tetrahedra's faces, which are not listed; or where there is no plane: the model breaks (c).
 /// REQUIRES the complex of the model, without faces that are overused.
 std::variant<std::vector<std::vector<DmsPlane>>, DmsOpenHull> part_hulls(
     const DmsModel& model, const TetrahedralComplex& complex);

@@ -33,14 +33,24 @@ struct DmsOpenLeaf {
   std::array<DmsPoint, 4> corners;
   /// A point with a determinant below 0, if one was met: then the model is no solid.
   std::optional<DmsPoint> negative_at;
+  Rational negative_value;  ///< the determinant there
+  /// Whether the map is one polynomial on the part, and its determinant is 0 everywhere.
+  bool is_flat = false;
 };
 
 struct JacobianSearchOptions {
   int max_levels = 24;            ///< at most 64
   std::size_t max_leaves = 4096;  ///< of one tetrahedron
+  /// Parts of a leaf on which the map is one polynomial: how many are looked at for a negative determinant.
+  std::size_t max_parts = 512;
+  /// Where a leaf is not proved: how many parts of tetrahedra are looked at for a negative determinant, those with the
+  /// least determinants at samples first.
+  std::size_t max_sampled = 256;
 };
 
-/// The trees of all tetrahedra, or where the proof failed first.
+/// The trees of all tetrahedra; or a leaf with a negative determinant, or a flat one; or, if neither is found, the
+/// first one that is not proved. Where clouds crease the map at a vertex, leaves there cannot be proved if its
+/// derivatives vary much; so the search for a negative determinant goes on elsewhere.
 /// REQUIRES a model without defects of its domain and its clouds (solids/dms/dms_defects.h).
 std::variant<std::vector<DmsLeafTree>, DmsOpenLeaf> prove_jacobian(
     const DmsModel& model, const JacobianSearchOptions& options = {});

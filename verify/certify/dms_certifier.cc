@@ -17,6 +17,7 @@
 #include "solids/dms/dms_values.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/certify_kinds_internal.h"
+#include "verify/certify/dms_refutation.h"
 #include "verify/certify/file_patches.h"
 #include "verify/certify/refutation_finding.h"
 #include "verify/certify/star_box_certifier.h"
@@ -36,6 +37,11 @@ bool is_long(const Rational& x) {
   return std::max(x.numerator().bit_length(), x.denominator().bit_length()) > kMaxCertifiedBits;
 }
 
+// A refutation of triangles, with what is to be said if it says nothing of the solid.
+struct SurfaceFault {
+  Finding finding;
+  std::optional<PatchRefutation> refutation;
+};
 // What star boxes say of triangles that bound a solid.
 struct SurfaceProof {
   certificate::StarBoxBody boxes;
@@ -56,9 +62,11 @@ class DmsCertification {
 
   Certified run() {
     internal::enter(Phase::kDeciding, options_);
-    if (auto reason = decide()) {
+    auto reason = decide();
+    if (!reason && !refutations_.empty()) reason = refute();
+    if (reason) {
       out_.findings.assign(1, std::move(*reason));
-    } else {
+    } else if (refutations_.empty()) {
       internal::enter(Phase::kCertifying, options_);
       const certificate::DmsQuantities quantities{
           facts_.tetrahedra,
@@ -84,17 +92,50 @@ class DmsCertification {
     return out;
   }
 
-  // In the order of the page; nothing if all is proved.
+  // INVALID by the first refutation, or why its certificate cannot be written.
+  std::optional<Finding> refute() {
+    certificate::DmsInvalidBody body;
+    body.tetrahedra = static_cast<std::uint32_t>(model_.tetrahedra.size());
+    body.finding = refutations_.front().proof;
+    if (certificate::needs_planes(body.finding)) body.planes = body_.planes;
+    if (!has_short_numbers(body))
+      return reason(refutations_.front().finding.message + "; but its proof has too many bits",
+                    "not-covered");
+    internal::enter(Phase::kCertifying, options_);
+    out_.certificate = certificate::encode(subject_, body);
+    out_.claim = certificate::kDmsInvalidClaim;
+    out_.verdict = Verdict::kInvalid;
+    for (DmsRefutation& r : refutations_) {
+      out_.findings.push_back(std::move(r.finding));
+      facts_.defects.push_back(std::move(r.facts));
+    }
+    facts_.num_defects = std::max<std::uint64_t>(num_defects_, out_.findings.size());
+    return std::nullopt;
+  }
+
+  // What is not decided; else all is proved, or there is a refutation.
   std::optional<Finding> decide() {
+    if (find_defects()) return std::nullopt;
     if (auto found = long_numbers()) return found;
-    if (const DmsDefects defects = find_dms_defects(model_, 1); defects.count > 0)
-      return reason(std::string(fault_name(defects.first[0].fault)) + ": " +
-                    to_string(defects.first[0]));
-    if (auto found = domain()) return found;
     if (auto found = separate_control()) return found;
     if (auto found = hulls()) return found;
-    if (auto found = jacobian()) return found;
+    if (auto found = jacobian(); found || !refutations_.empty()) return found;
+    if (model_.degree == 1)
+      if (auto found = find_image_overlap(model_)) {
+        refutations_.push_back(std::move(*found));
+        return std::nullopt;
+      }
+    if (auto found = domain()) return found;
     return surface();
+  }
+
+  bool find_defects() {
+    const DmsDefects defects =
+        find_dms_defects(model_, std::max<std::size_t>(1, options_.max_findings));
+    num_defects_ = defects.count;
+    for (const DmsDefect& defect : defects.first)
+      refutations_.push_back(refutation_of(defect, complex_));
+    return defects.count > 0;
   }
 
   std::optional<Finding> long_numbers() const {
@@ -116,13 +157,14 @@ class DmsCertification {
   }
 
   // Proves that triangles bound a solid, or says what is against it.
-  std::variant<SurfaceProof, Finding> prove_surface(std::vector<ExactTriangle> triangles,
-                                                    const std::string& what) const {
+  std::variant<SurfaceProof, SurfaceFault> prove_surface(std::vector<ExactTriangle> triangles,
+                                                         const std::string& what) const {
     SplineModel model;
     for (ExactTriangle& t : triangles)
       model.entities.push_back({std::move(t), {}, std::nullopt, {}});
     Result<FilePatches> patches = file_patches(model, PatchOrientation::kKeep);
-    if (!patches) return reason(what + ": " + patches.error().message, "not-covered");
+    if (!patches)
+      return SurfaceFault{reason(what + ": " + patches.error().message, "not-covered"), {}};
     FileDecisionOptions how;
     if (options_.max_cells) how.search.cover.max_boxes = *options_.max_cells;
     const FileDecision decided = decide_file_patches(*patches, how);
@@ -130,11 +172,13 @@ class DmsCertification {
     if (!d.is_valid) {
       const Finding why =
           d.refutation ? finding_of(*patches->complex, patches->entities, *d.refutation) : *d.open;
-      return reason(what + ": " + why.code + ": " + why.message);
+      return SurfaceFault{reason(what + ": " + why.code + ": " + why.message), d.refutation};
     }
     if (!fits_certificate(*decided.forest, d.cover))
-      return reason(what + ": the star boxes have coordinates too long for a certificate",
-                    "not-covered");
+      return SurfaceFault{
+          reason(what + ": the star boxes have coordinates too long for a certificate",
+                 "not-covered"),
+          {}};
     SurfaceProof out;
     out.boxes = make_star_box_2_body(*decided.forest, d.cover, d.walks, patches->entities);
     out.bodies = d.bodies;
@@ -161,7 +205,7 @@ class DmsCertification {
     for (const TetrahedronFace f : complex_.boundary())
       triangles.push_back(triangle_of(1, corners_of_face(f)));
     auto proved = prove_surface(std::move(triangles), "the boundary of the domain");
-    if (auto* const finding = std::get_if<Finding>(&proved)) return std::move(*finding);
+    if (auto* const fault = std::get_if<SurfaceFault>(&proved)) return std::move(fault->finding);
     domain_ = std::get<SurfaceProof>(std::move(proved));
     return std::nullopt;
   }
@@ -183,28 +227,20 @@ class DmsCertification {
                     std::to_string(open->tetrahedron));
     }
     for (const auto& of_face : std::get<0>(planes)) body_.planes.push_back(proofs_of(of_face));
-    return std::nullopt;
-  }
-  static std::vector<certificate::DmsPlaneProof> proofs_of(const std::vector<DmsPlane>& planes) {
-    std::vector<certificate::DmsPlaneProof> out;
-    for (const DmsPlane& plane : planes) {
-      auto& proof = out.emplace_back();
-      for (std::size_t c = 0; c < 3; ++c) proof.vector[c] = to_fraction(plane.vector[c]);
-      proof.number = to_fraction(plane.number);
-    }
-    return out;
+    if (std::all_of(body_.planes.begin(), body_.planes.end(), are_short)) return std::nullopt;
+    return reason("B2: planes that part knots have too many bits", "not-covered");
   }
 
   std::optional<Finding> jacobian() {
     auto trees = prove_jacobian(model_);
     if (const auto* const open = std::get_if<DmsOpenLeaf>(&trees)) {
-      std::string text = "J: ";
-      if (open->negative_at)
-        text += "the determinant of the derivative is below 0 at " + text_of(*open->negative_at) +
-                ", in";
-      else
-        text += "the determinant of the derivative is not proved to be above 0 in";
-      text += " tetrahedron " + std::to_string(open->tetrahedron) + ", with the corners ";
+      if (auto refuted = refutation_of(*open)) {
+        refutations_.push_back(std::move(*refuted));
+        return std::nullopt;
+      }
+      std::string text =
+          "J: the determinant of the derivative is not proved to be above 0 in tetrahedron " +
+          std::to_string(open->tetrahedron) + ", with the corners ";
       for (std::size_t i = 0; i < 4; ++i) text += (i == 0 ? "" : ", ") + text_of(open->corners[i]);
       return reason(std::move(text));
     }
@@ -238,9 +274,12 @@ class DmsCertification {
     DmsEvaluator evaluator(model_);
     const SimplexInterpolation interpolation(model_.degree, 3);
     std::vector<ExactTriangle> triangles;
+    std::vector<DmsPiece> pieces;
     for (const auto& tiles : std::get<0>(tiled)) {
+      const TetrahedronFace face = complex_.boundary()[body_.tiles.size()];
       add_tiles(tiles);
       for (const DmsTile& tile : tiles) {
+        pieces.push_back({face, tile});
         const auto values = values_at(evaluator, interpolation.points(tile.corners));
         if (!values) return reason("T3: a point of the boundary is in no tetrahedron");
         triangles.push_back(triangle_of(model_.degree, interpolation.coefficients(*values)));
@@ -249,7 +288,13 @@ class DmsCertification {
     if (has_long_points()) return reason("B2: corners of tiles have too many bits", "not-covered");
     facts_.patches = triangles.size();
     auto proved = prove_surface(std::move(triangles), "the surface of the solid");
-    if (auto* const finding = std::get_if<Finding>(&proved)) return std::move(*finding);
+    if (auto* const fault = std::get_if<SurfaceFault>(&proved)) {
+      if (!fault->refutation) return std::move(fault->finding);
+      auto refuted = refutation_of(*fault->refutation, pieces, evaluator);
+      if (!refuted) return std::move(fault->finding);
+      refutations_.push_back(std::move(*refuted));
+      return std::nullopt;
+    }
     auto& surface = std::get<SurfaceProof>(proved);
     if (surface.bodies != domain_.bodies || surface.genera != domain_.genera)
       return reason("W3: the surface of the solid is not that of the domain");
@@ -296,6 +341,8 @@ class DmsCertification {
   TetrahedralComplex complex_;
   DmsFacts facts_;
   Certified out_;
+  std::vector<DmsRefutation> refutations_;  // the first one becomes the certificate
+  std::uint64_t num_defects_ = 0;
   SurfaceProof domain_;
   certificate::DmsBody body_;
   std::map<DmsPoint, std::uint64_t> numbers_;  // of points of tiles

@@ -209,6 +209,27 @@ constexpr auto kReasons = std::to_array<ReasonText>({
      "Clouds that are too large for the tetrahedra at their vertices.",
      "Move the knots closer to their vertices; veritope dms make --clouds draws clouds that are "
      "small enough."},
+    {"cloud-no-core", "knots' tetrahedra without a common inner point",
+     "The tetrahedra of the knots of one tetrahedron's vertices have no common inner point: "
+     "condition (b) of docs/formats/dms-files.md. The message names at most four of them that have "
+     "none. veritope dms refuses the model. Status 1.",
+     "Clouds that are too large for the tetrahedra at their vertices, two of which reach past each "
+     "other.",
+     "Move the knots closer to their vertices; veritope dms make --clouds draws clouds that are "
+     "small enough."},
+    {"cloud-inside", "knots of the boundary that reach into the domain",
+     "The convex hull of knots of a face of the domain's boundary contains an inner point of a "
+     "tetrahedron: condition (c) of docs/formats/dms-files.md. Then the basis functions do not add "
+     "up to 1 there. veritope dms refuses the model. Status 1.",
+     "Knots of a vertex of the boundary on the inner side of one of its faces; at a saddle there is "
+     "no place on the outer side of all faces but in their planes.",
+     "Move the knots outward, or into the planes of the faces; collapse the cloud."},
+    {"jacobian", "map that folds a simplex-spline solid",
+     "The determinant of the derivative of a simplex-spline solid's map is below 0 at the point of "
+     "the domain that is named, or 0 everywhere near it: the map is not one to one onto a solid. "
+     "Status 1.",
+     "Control points that were moved past others, a mirrored solid, a part that is flat.",
+     "Move the control points of the tetrahedron that is named back; mirror the solid again."},
 
     {"narrow", "critical points too close together",
      "veritope project: a box of parameters became as narrow as 2^-80 and may still hold one "

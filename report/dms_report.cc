@@ -51,7 +51,7 @@ Json defects_json(const DmsDefects& defects) {
     one["code"] = fault_name(defect.fault);
     one["message"] = to_string(defect);
     one["tetrahedra"] = defect.tetrahedra;
-    one["beta"] = defect.fault == DmsFault::kDegenerate ? Json(defect.beta) : Json(nullptr);
+    one["beta"] = defect.has_beta() ? Json(defect.beta) : Json(nullptr);
     out.push_back(std::move(one));
   }
   return out;

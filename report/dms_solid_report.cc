@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Reports of certify about simplex-spline solids: tetrahedra, shells, and the condition of their certificate that is
-// not proved.
+// Reports of certify about simplex-spline solids: tetrahedra, shells, what is proved wrong, and the condition of their
+// certificate that is not proved.
+#include <algorithm>
+
 #include "report/decimal_text.h"
 #include "report/patch_report_internal.h"
 #include "report/report_kinds_internal.h"
@@ -14,6 +16,31 @@ void put_dms_source(const FileReport&, Json&) {}
 
 Json dms_reason_json(const Finding& f) { return {{"code", f.code}, {"message", f.message}}; }
 
+Json exact_json(const std::array<Rational, 3>& p) {
+  Json out = Json::array();
+  for (const Rational& c : p) out.push_back(fraction_text(c));
+  return out;
+}
+Json dms_defect_json(const Finding& f, const DmsDefectFacts& facts) {
+  const auto& at = facts.parameters;
+  Json tetrahedra = Json::array();
+  for (const std::uint32_t t : facts.tetrahedra) tetrahedra.push_back(t);
+  return {{"code", f.code},
+          {"message", f.message},
+          {"tetrahedra", std::move(tetrahedra)},
+          {"beta", facts.beta ? Json(*facts.beta) : Json(nullptr)},
+          {"parameter", at.empty() ? Json(nullptr) : exact_json(at[0])},
+          {"other_parameter", at.size() < 2 ? Json(nullptr) : exact_json(at[1])},
+          {"value", facts.value ? Json(fraction_text(*facts.value)) : Json(nullptr)}};
+}
+Json dms_defects_json(const FileReport& report) {
+  const DmsFacts& f = dms_of(report);
+  Json out = Json::array();
+  for (std::size_t i = 0; i < std::min(report.defects.size(), f.defects.size()); ++i)
+    out.push_back(dms_defect_json(report.defects[i], f.defects[i]));
+  return out;
+}
+
 void put_dms_facts(const FileReport& report, Json& out) {
   const DmsFacts& f = dms_of(report);
   const bool is_valid = report.verdict == Verdict::kValid;
@@ -23,7 +50,9 @@ void put_dms_facts(const FileReport& report, Json& out) {
                    {"degree", f.degree},
                    {"leaves", if_valid(f.leaves)},
                    {"patches", if_valid(f.patches)},
-                   {"bodies", if_valid(f.bodies)}};
+                   {"bodies", if_valid(f.bodies)},
+                   {"defects", f.num_defects}};
+  out["defects"] = dms_defects_json(report);
   out["reasons"] = Json::array();
   for (const Finding& r : report.reasons) out["reasons"].push_back(dms_reason_json(r));
   out["shells"] = Json::array();
@@ -34,13 +63,25 @@ void put_dms_facts(const FileReport& report, Json& out) {
 
 std::string dms_summary(const FileReport& report) {
   const DmsFacts& f = dms_of(report);
+  if (!report.defects.empty())
+    return harmless(report.defects.front().code + ": " + report.defects.front().message);
   std::uint64_t genus = 0;
   for (const std::uint64_t g : f.genera) genus += g;
   return counted(f.bodies, "body", "bodies") + ", genus " + std::to_string(genus) +
          (f.volume ? ", volume about " + short_decimal(mid(*f.volume), 6) : "");
 }
 
-std::string dms_findings(const FileReport&, const TextOptions&) { return ""; }
+// The first defect is in the summary.
+std::string dms_findings(const FileReport& report, const TextOptions&) {
+  const std::uint64_t all = dms_of(report).num_defects;
+  std::string out;
+  const std::size_t shown = std::min(internal::kMostShown, report.defects.size());
+  for (std::size_t i = 1; i < shown; ++i)
+    out += detail_line("also", harmless(report.defects[i].code + ": " + report.defects[i].message));
+  if (shown > 0 && all > shown)
+    out += detail_line("...", counted(all - shown, "more defect", "more defects"));
+  return out;
+}
 
 std::string dms_details(const FileReport& report, const TextOptions&) {
   const auto& source = std::get<PlainSource>(report.source);

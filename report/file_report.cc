@@ -17,7 +17,10 @@ void forget(std::monostate&) {}
 // A mesh has no counts without its verdict.
 void forget(MeshFacts&) {}
 // Reports of solids that are not valid show what the file has.
-void forget(DmsFacts&) {}
+void forget(DmsFacts& facts) {
+  facts.defects.clear();
+  facts.num_defects = 0;
+}
 // Reports of microstructures that are not valid show cells and tiles alone.
 void forget(MicroFacts&) {}
 // The counts of the complex stand without a verdict.

@@ -5,32 +5,13 @@
 #include <utility>
 
 #include "interval/upward.h"
+#include "predicates/exact_point_internal.h"
 #include "predicates/formulas.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
 #include "predicates/projection.h"
 
 namespace veritope {
-namespace {
-
-// Scaled by the denominators, which are positive, b - a keeps its direction.
-std::array<Integer, 3> scaled_difference(const ExactPoint3& b, const ExactPoint3& a) {
-  std::array<Integer, 3> out;
-  for (std::size_t c = 0; c < 3; ++c) {
-    out[c] = b.scaled()[c] * a.scale();
-    out[c].subtract_product(a.scaled()[c], b.scale());
-  }
-  return out;
-}
-
-Integer exact_minor(const std::array<Integer, 3>& p, const std::array<Integer, 3>& q, int axis) {
-  const auto i = static_cast<std::size_t>((axis + 1) % 3),
-             j = static_cast<std::size_t>((axis + 2) % 3);
-  Integer minor = p[i] * q[j];
-  return std::move(minor.subtract_product(p[j], q[i]));
-}
-
-}  // namespace
 
 ExactPoint3::ExactPoint3(std::array<Rational, 3> at) : at_(std::move(at)), is_binary64_(true) {
   scale_ = Integer(1);
@@ -58,12 +39,8 @@ Sign3 orient3d_interval(const ExactPoint3& a, const ExactPoint3& b, const ExactP
 
 Sign orient3d_exact(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c,
                     const ExactPoint3& d) {
-  const std::array<Integer, 3> p = scaled_difference(b, a), q = scaled_difference(c, a),
-                               r = scaled_difference(d, a);
-  Integer sum;
-  for (int axis = 0; axis < 3; ++axis)
-    sum.add_product(exact_minor(p, q, axis), r[static_cast<std::size_t>(axis)]);
-  return sum.sign();
+  return exact_triple(scaled_difference(b, a), scaled_difference(c, a), scaled_difference(d, a))
+      .sign();
 }
 
 Sign3 orient2d_projected_interval(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c,

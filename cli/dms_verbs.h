@@ -10,6 +10,7 @@ namespace veritope::cli {
 
 RunCommand declare_dms_eval(OptionSet& set);
 RunCommand declare_dms_make(OptionSet& set);
+RunCommand declare_dms_domain(OptionSet& set);
 
 /// Reads a model. @error as read_model_file, and kUnknownFormat for a file of another kind
 Result<DmsFile> read_dms_file(const std::string& path, ModelReadOptions reading);

@@ -79,6 +79,32 @@ std::uint32_t LinkedTetrahedra::cone(std::span<const std::uint32_t> ball,
   return shell_.back().slot;
 }
 
+void LinkedTetrahedra::replace_by_cone(std::span<const std::uint32_t> ball,
+                                       std::span<const TetrahedronFace> shell, std::uint32_t apex) {
+  const auto keyed = [&](std::array<std::uint32_t, 3> v, TetrahedronFace f) {
+    std::sort(v.begin(), v.end());
+    return KeyedFace{v, f};
+  };
+  std::vector<KeyedFace> faces;
+  std::vector<TetrahedronCorners> cells;
+  for (const TetrahedronFace f : shell) {
+    const auto v = vertices(f);
+    if (across(f) != kNoFace) faces.push_back(keyed(v, across(f)));
+    if (std::find(v.begin(), v.end(), apex) != v.end()) continue;
+    TetrahedronCorners& cell = cells.emplace_back(corners(face_tetrahedron(f)));
+    cell[face_corner(f)] = apex;
+  }
+  for (const std::uint32_t t : ball) {
+    cells_[t].corners[0] = kUnused;
+    unused_.push_back(t);
+  }
+  for (const TetrahedronCorners& cell : cells) {
+    const std::uint32_t t = add(cell);
+    for (std::uint32_t m = 0; m < 4; ++m) faces.push_back(keyed(vertices(4 * t + m), 4 * t + m));
+  }
+  glue_equal(faces, *this);
+}
+
 void LinkedTetrahedra::take_shell(std::span<const TetrahedronFace> shell) {
   shell_.clear();
   for (const TetrahedronFace f : shell) {

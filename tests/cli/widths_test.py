@@ -81,6 +81,8 @@ def command_lines():
     yield ["dms", "eval", "m.vdms", "tests/cli/nothing.txt"]
     yield ["dms", "eval", "--help"]
     yield ["dms", "make", "--help"]
+    yield ["dms", "domain", "tests/cli/dms_points.txt", "-o", "d.vdms", "--hull"]
+    yield ["dms", "domain", "--help"]
     yield ["info", "tests/models/dms/tetrahedron.vdms"]
     yield ["classify", "e.json", "examples/sound_part.stl"]
     yield ["certify", "e.json"]

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// veritope dms domain.
+#include <algorithm>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "cli/dms_verbs.h"
+#include "cli/output_plan.h"
+#include "cli/point_source.h"
+#include "io/dms/write_dms.h"
+#include "report/decimal_text.h"
+#include "report/dms_domain_report.h"
+#include "report/text_style.h"
+#include "robust/base/stopwatch.h"
+#include "solids/dms/dms_identity.h"
+#include "solids/tetrahedra/boundary_classes.h"
+#include "solids/tetrahedra/delaunay.h"
+#include "solids/tetrahedra/occupancy.h"
+#include "solids/tetrahedra/tetrahedron_angles.h"
+#include "verify/format/sha256.h"
+
+namespace veritope::cli {
+namespace {
+
+struct DmsDomainOptions {
+  std::string input;
+  std::optional<std::string> output, json;
+  bool is_hull = false;
+  ModelReadOptions reading;
+};
+
+// Edges whose facets' normals enclose more than 30 degrees are features.
+const Rational kFeatureSquaredCosine(Integer(3), Integer(4));
+
+Result<std::vector<ExactPoint3>> read_points(const DmsDomainOptions& o) {
+  auto source = open_points(o.input, Decimals::kExact, o.reading.limits);
+  if (!source) return source.error();
+  std::vector<ExactPoint3> points;
+  for (PointBatch batch;;) {
+    if (const Status status = (*source)->next(batch); !status) return status.error();
+    if (batch.size() == 0) return points;
+    auto exact = batch.exact.begin();
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      if (exact != batch.exact.end() && exact->first == i)
+        points.emplace_back(std::move((exact++)->second));
+      else
+        points.emplace_back(batch.points[i]);
+    }
+  }
+}
+
+class DmsDomainRun {
+ public:
+  DmsDomainRun(const DmsDomainOptions& options, StandardOutput& out)
+      : options_(options), out_(out) {}
+
+  ExitCode run() {
+    if (const Status status = check_outputs(); !status) return fail(status.error());
+    Stopwatch watch;
+    const Result<std::vector<ExactPoint3>> points = read_points(options_);
+    if (!points) return fail(points.error());
+    auto delaunay = delaunay_tetrahedra(std::span<const ExactPoint3>(*points));
+    if (!delaunay) return refuse(delaunay.error());
+    report_.points = points->size();
+    for (std::uint32_t i = 0; i < points->size(); ++i)
+      if (delaunay->same_as[i] != i) ++report_.duplicates;
+    std::vector<TetrahedronCorners> tetrahedra = std::move(delaunay.value().tetrahedra);
+    if (!options_.is_hull)
+      if (const Status status = keep_occupied(*points, tetrahedra); !status)
+        return refuse(status.error());
+    const ExitCode exit = write_domain(*points, tetrahedra);
+    if (exit != kExitValid) return exit;
+    report_.seconds = watch.lap();
+    if (*options_.output != "-" && options_.json != "-") out_.write(fold(text(), verdict_width()));
+    if (!options_.json) return exit;
+    const Status written = write_output(*options_.json, dms_domain_json(report_), out_);
+    return written ? exit : fail(written.error());
+  }
+
+ private:
+  Status check_outputs() const {
+    std::vector<std::string> inputs;
+    if (options_.input != "-") inputs.push_back(options_.input);
+    const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, options_.json);
+    if (!plan) return plan.error();
+    if (const Status status =
+            check_output("--output", *options_.output, inputs, *plan, options_.json);
+        !status)
+      return status;
+    return try_outputs(*plan, {options_.output, options_.json});
+  }
+
+  // Points of which no domain can be made.
+  ExitCode refuse(const Error& error) const {
+    complain(harmless(options_.input + ": " + error.message));
+    return error.code == Code::kBadArgument ? kExitInvalid : kExitUnreadable;
+  }
+
+  Status keep_occupied(const std::vector<ExactPoint3>& points,
+                       std::vector<TetrahedronCorners>& tetrahedra) {
+    const Result<Occupancy> occupancy = find_occupancy(points, tetrahedra);
+    if (!occupancy) return occupancy.error();
+    std::vector<TetrahedronCorners> kept;
+    for (const std::uint32_t t : occupancy->kept) kept.push_back(tetrahedra[t]);
+    for (const RemovedTetrahedron& r : occupancy->removed)
+      report_.removed.push_back({tetrahedra[r.tetrahedron], reason_name(r.reason)});
+    for (const std::uint32_t t : occupancy->filled) report_.filled.push_back(tetrahedra[t]);
+    tetrahedra = std::move(kept);
+    return ok_status();
+  }
+
+  ExitCode write_domain(const std::vector<ExactPoint3>& points,
+                        std::span<const TetrahedronCorners> tetrahedra) {
+    std::vector<DmsPoint> places;
+    places.reserve(points.size());
+    for (const ExactPoint3& p : points) places.push_back(p.at());
+    const Result<DmsModel> model = identity_dms(places, tetrahedra);
+    if (!model) return refuse(model.error());
+    const std::string bytes = write_dms(*model);
+    if (const Status written = write_output(*options_.output, bytes, out_); !written)
+      return fail(written.error());
+    report_.input = options_.input;
+    report_.path = *options_.output;
+    report_.sha256 =
+        to_hex(sha256({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}));
+    report_.bytes = bytes.size();
+    report_.vertices = model->clouds.size();
+    report_.tetrahedra = model->tetrahedra.size();
+    report_.is_delaunay = true;
+    if (options_.json) describe(*model);
+    return kExitValid;
+  }
+
+  void describe(const DmsModel& model) {
+    std::vector<ExactPoint3> points;
+    points.reserve(model.clouds.size());
+    for (const DmsCloud& cloud : model.clouds) points.emplace_back(cloud[0]);
+    double least = std::numbers::pi;
+    for (const TetrahedronCorners& t : model.tetrahedra)
+      least = std::min(least, approx_min_dihedral(shape_of(
+                                  {&points[t[0]], &points[t[1]], &points[t[2]], &points[t[3]]})));
+    report_.min_dihedral = least * 180 / std::numbers::pi;
+    const TetrahedralComplex complex(model.tetrahedra, static_cast<std::uint32_t>(points.size()));
+    const auto edges = feature_edges(points, complex, kFeatureSquaredCosine);
+    const auto classes = classes_by_features(points, complex, edges, kFeatureSquaredCosine);
+    const std::vector<double> angles = approx_solid_angles(points, complex);
+    for (std::uint32_t v = 0; v < points.size(); ++v)
+      if (classes[v] != VertexClass::kInterior)
+        report_.classes.push_back(
+            {v, class_name(classes[v]), class_name(class_by_solid_angle(angles[v])), angles[v]});
+    report_.feature_lines = feature_lines(edges, classes);
+  }
+
+  std::string text() const {
+    return "wrote  " + unbroken(harmless(*options_.output)) + "  " +
+           counted(report_.tetrahedra, "tetrahedron", "tetrahedra") + ", " +
+           counted(report_.vertices, "vertex", "vertices") +
+           (report_.duplicates > 0
+                ? ", " + counted(report_.duplicates, "repeated point", "repeated points")
+                : "") +
+           (report_.removed.empty()
+                ? ""
+                : ", " + std::to_string(report_.removed.size()) + " of the hull removed") +
+           "\n";
+  }
+
+  const DmsDomainOptions& options_;
+  StandardOutput& out_;
+  DmsDomainReport report_;
+};
+
+}  // namespace
+
+RunCommand declare_dms_domain(OptionSet& set) {
+  const auto o = std::make_shared<DmsDomainOptions>();
+  declare_plain_file(set, "IN", o->input, "points: three numbers a line; - is standard input");
+  set.output("-o,--output", o->output, "write the model, .vdms; - is standard output");
+  set.flag("--hull", o->is_hull,
+           "keep all of the convex hull; without it those tetrahedra\nwhose edges have their "
+           "middles near points");
+  declare_json(set, o->json, "write what was made");
+  declare_reading(set, o->reading);
+  set.hide("--as-indexed");
+  set.rule([o]() -> std::string {
+    return o->output ? "" : "-o OUT.vdms is required, the file of the model";
+  });
+  return [o](StandardOutput& out) { return DmsDomainRun(*o, out).run(); };
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// report/dms_domain_report.h: what veritope dms domain says of the domain that it wrote.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace veritope::report {
+
+/// A vertex of the boundary; the names of its classes.
+struct DmsDomainVertex {
+  std::uint32_t vertex = 0;
+  std::string used, paper;
+  double solid_angle = 0;  ///< in radians
+};
+
+/// A tetrahedron of the hull that the domain does not have, in numbers of points of the file, and why.
+struct DmsDomainRemoval {
+  std::array<std::uint32_t, 4> points{};
+  std::string reason;
+};
+
+struct DmsDomainReport {
+  std::string input;
+  std::string path, sha256;  ///< of the model
+  std::uint64_t bytes = 0;
+  std::uint64_t points = 0, duplicates = 0;
+  std::uint64_t vertices = 0, tetrahedra = 0, steiner = 0;
+  bool is_delaunay = false;
+  double min_dihedral = 0;  ///< in degrees, rounded
+  std::vector<DmsDomainVertex> classes;
+  std::vector<std::vector<std::uint32_t>>
+      feature_lines;  ///< vertices in order; closed if first = last
+  std::vector<DmsDomainRemoval> removed;
+  std::vector<std::array<std::uint32_t, 4>>
+      filled;  ///< in the domain by a later step, numbers of points
+  double seconds = 0;
+};
+
+/// The schema: docs/report.schema.json, dms_domain.
+std::string dms_domain_json(const DmsDomainReport& report);
+
+}  // namespace veritope::report

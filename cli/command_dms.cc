@@ -12,7 +12,7 @@ RunCommand declare_dms(OptionSet& set) {
   std::array<RunCommand, 3> runs{
       declare_dms_eval(set.verb("eval", "print the values of a simplex-spline solid at points")),
       declare_dms_make(set.verb("make", "write a model of a higher degree over a domain")),
-      declare_dms_domain(set.verb("domain", "write a domain of tetrahedra made from points"))};
+      declare_dms_domain(set.verb("domain", "write a domain of tetrahedra from points or a mesh"))};
   return [&set, runs = std::move(runs)](StandardOutput& out) {
     return runs.at(set.chosen_verb().value())(out);
   };

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope dms domain.
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 
+#include "cli/dms_domain_input.h"
+#include "cli/dms_domain_mesh.h"
 #include "cli/dms_verbs.h"
 #include "cli/output_plan.h"
 #include "cli/point_source.h"
@@ -14,6 +18,7 @@
 #include "report/dms_domain_report.h"
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
+#include "solids/dms/dms_defects.h"
 #include "solids/dms/dms_identity.h"
 #include "solids/tetrahedra/boundary_classes.h"
 #include "solids/tetrahedra/delaunay.h"
@@ -27,7 +32,8 @@ namespace {
 struct DmsDomainOptions {
   std::string input;
   std::optional<std::string> output, json;
-  bool is_hull = false;
+  bool is_hull = false, no_check = false;
+  std::optional<std::uint64_t> max_vertices;
   ModelReadOptions reading;
 };
 
@@ -59,6 +65,25 @@ class DmsDomainRun {
   ExitCode run() {
     if (const Status status = check_outputs(); !status) return fail(status.error());
     Stopwatch watch;
+    const Result<DomainInput> kind = kind_of_domain_input(options_.input, options_.reading);
+    if (!kind) return fail(kind.error());
+    if (*kind != DomainInput::kPoints && options_.is_hull)
+      return complain("--hull is for points, and this is " +
+                      std::string(*kind == DomainInput::kMesh ? "a mesh" : "a file of tetrahedra")),
+             kExitUsage;
+    const ExitCode exit = *kind == DomainInput::kPoints ? take_points()
+                          : *kind == DomainInput::kMesh ? take_mesh()
+                                                        : take_tetrahedra();
+    if (exit != kExitValid) return exit;
+    report_.seconds = watch.lap();
+    if (*options_.output != "-" && options_.json != "-") out_.write(fold(text(), verdict_width()));
+    if (!options_.json) return exit;
+    const Status written = write_output(*options_.json, dms_domain_json(report_), out_);
+    return written ? exit : fail(written.error());
+  }
+
+ private:
+  ExitCode take_points() {
     const Result<std::vector<ExactPoint3>> points = read_points(options_);
     if (!points) return fail(points.error());
     auto delaunay = delaunay_tetrahedra(std::span<const ExactPoint3>(*points));
@@ -70,16 +95,34 @@ class DmsDomainRun {
     if (!options_.is_hull)
       if (const Status status = keep_occupied(*points, tetrahedra); !status)
         return refuse(status.error());
-    const ExitCode exit = write_domain(*points, tetrahedra);
-    if (exit != kExitValid) return exit;
-    report_.seconds = watch.lap();
-    if (*options_.output != "-" && options_.json != "-") out_.write(fold(text(), verdict_width()));
-    if (!options_.json) return exit;
-    const Status written = write_output(*options_.json, dms_domain_json(report_), out_);
-    return written ? exit : fail(written.error());
+    report_.is_delaunay = true;
+    std::vector<DmsPoint> places;
+    places.reserve(points->size());
+    for (const ExactPoint3& p : *points) places.push_back(p.at());
+    return write_identity(places, tetrahedra);
   }
 
- private:
+  ExitCode take_mesh() {
+    MeshDomainChoice choice{options_.input, options_.reading, options_.max_vertices,
+                            options_.no_check};
+    Progress progress(true);
+    MeshDomain domain;
+    const ExitCode exit = take_mesh_domain(choice, progress, domain);
+    if (exit != kExitValid) return exit;
+    report_.points = domain.from_mesh;
+    report_.steiner = domain.steiner_on_mesh + domain.steiner_inside;
+    return write_domain(domain.model);
+  }
+
+  ExitCode take_tetrahedra() {
+    const Result<TetrahedraFile> file = read_tetrahedra(options_.input, options_.reading);
+    if (!file) return fail(file.error());
+    report_.points = file->points.size();
+    std::vector<TetrahedronCorners> tetrahedra = file->tetrahedra;
+    turn_to_positive(file->points, tetrahedra);
+    return write_identity(file->points, tetrahedra);
+  }
+
   Status check_outputs() const {
     std::vector<std::string> inputs;
     if (options_.input != "-") inputs.push_back(options_.input);
@@ -111,14 +154,19 @@ class DmsDomainRun {
     return ok_status();
   }
 
-  ExitCode write_domain(const std::vector<ExactPoint3>& points,
-                        std::span<const TetrahedronCorners> tetrahedra) {
-    std::vector<DmsPoint> places;
-    places.reserve(points.size());
-    for (const ExactPoint3& p : points) places.push_back(p.at());
+  ExitCode write_identity(std::span<const DmsPoint> places,
+                          std::span<const TetrahedronCorners> tetrahedra) {
     const Result<DmsModel> model = identity_dms(places, tetrahedra);
     if (!model) return refuse(model.error());
-    const std::string bytes = write_dms(*model);
+    const DmsDefects defects = find_dms_defects(*model, 1);
+    if (defects.count == 0) return write_domain(*model);
+    complain(harmless(options_.input + ": " + fault_name(defects.first[0].fault) + ": " +
+                      to_string(defects.first[0])));
+    return kExitInvalid;
+  }
+
+  ExitCode write_domain(const DmsModel& model) {
+    const std::string bytes = write_dms(model);
     if (const Status written = write_output(*options_.output, bytes, out_); !written)
       return fail(written.error());
     report_.input = options_.input;
@@ -126,10 +174,9 @@ class DmsDomainRun {
     report_.sha256 =
         to_hex(sha256({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}));
     report_.bytes = bytes.size();
-    report_.vertices = model->clouds.size();
-    report_.tetrahedra = model->tetrahedra.size();
-    report_.is_delaunay = true;
-    if (options_.json) describe(*model);
+    report_.vertices = model.clouds.size();
+    report_.tetrahedra = model.tetrahedra.size();
+    if (options_.json) describe(model);
     return kExitValid;
   }
 
@@ -160,6 +207,7 @@ class DmsDomainRun {
            (report_.duplicates > 0
                 ? ", " + counted(report_.duplicates, "repeated point", "repeated points")
                 : "") +
+           (report_.steiner > 0 ? ", " + std::to_string(report_.steiner) + " of them added" : "") +
            (report_.removed.empty()
                 ? ""
                 : ", " + std::to_string(report_.removed.size()) + " of the hull removed") +
@@ -175,11 +223,17 @@ class DmsDomainRun {
 
 RunCommand declare_dms_domain(OptionSet& set) {
   const auto o = std::make_shared<DmsDomainOptions>();
-  declare_plain_file(set, "IN", o->input, "points: three numbers a line; - is standard input");
+  declare_plain_file(
+      set, "IN", o->input,
+      "points, three numbers a line (- is standard input);\na mesh; or tetrahedra of "
+      "TetGen, MEDIT or Gmsh");
   set.output("-o,--output", o->output, "write the model, .vdms; - is standard output");
   set.flag("--hull", o->is_hull,
-           "keep all of the convex hull; without it those tetrahedra\nwhose edges have their "
-           "middles near points");
+           "keep all of the convex hull of points; without it those\ntetrahedra whose edges have "
+           "their middles near points");
+  set.number("--max-vertices", o->max_vertices, {4, kMaxDmsVertices},
+             "limit: vertices that cuts by a mesh may make (1000000)");
+  set.flag("--no-check", o->no_check, "do not run veritope-check on a mesh");
   declare_json(set, o->json, "write what was made");
   declare_reading(set, o->reading);
   set.hide("--as-indexed");

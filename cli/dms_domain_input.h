@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// cli/dms_domain_input.h: what the input of veritope dms domain is, and tetrahedra of other programs.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "io/read_model.h"
+#include "io/tetrahedra/read_tetrahedra.h"
+
+namespace veritope::cli {
+
+enum class DomainInput { kPoints, kMesh, kTetrahedra };
+
+/// TetGen's files by the endings .node and .ele, everything else by its content: a model that certify knows counts as a
+/// mesh, and what is not recognised as points. Standard input is points.
+/// @error kCannotOpen, kOverLimit
+Result<DomainInput> kind_of_domain_input(const std::string& path, const ModelReadOptions& reading);
+
+/// Reads both of TetGen's files if one of them is given. REQUIRES kTetrahedra.
+/// @error as read_medit, read_gmsh and read_tetgen; kCannotOpen
+Result<TetrahedraFile> read_tetrahedra(const std::string& path, const ModelReadOptions& reading);
+
+/// Swaps two corners of each tetrahedron with d < 0: other programs have other orders.
+void turn_to_positive(const std::vector<std::array<Rational, 3>>& points,
+                      std::vector<TetrahedronCorners>& tetrahedra);
+
+}  // namespace veritope::cli

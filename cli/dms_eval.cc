@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope dms eval.
 #include <memory>
+#include <optional>
 #include <utility>
-#include <variant>
+#include <vector>
 
 #include "cli/dms_verbs.h"
 #include "cli/output_plan.h"
@@ -11,6 +12,7 @@
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
 #include "solids/dms/dms_evaluator.h"
+#include "solids/dms/fast/fast_dms.h"
 
 namespace veritope::cli {
 namespace {
@@ -70,34 +72,83 @@ class DmsEvalRun {
   }
 
   Status evaluate(const DmsModel& model) {
-    DmsEvaluator evaluator(model);
     auto source = open_points(options_.files[1], Decimals::kExact, options_.reading.limits);
     if (!source) return source.error();
+    std::optional<DmsEvaluator> exact;
+    std::optional<FastDms> fast;
+    if (options_.is_exact) {
+      exact.emplace(model);
+    } else {
+      FastDmsOptions how;
+      how.with_gradient = options_.with_gradient;
+      fast.emplace(model, how);
+    }
     for (PointBatch batch;;) {
       if (const Status status = (*source)->next(batch); !status) return status;
       if (batch.size() == 0) return out_.status();
-      std::size_t exact = 0;
-      for (std::size_t i = 0; i < batch.size(); ++i) {
-        const bool is_exact = exact < batch.exact.size() && batch.exact[exact].first == i;
-        const Vec3d& p = batch.points[i];
-        const DmsPoint point =
-            is_exact ? batch.exact[exact++].second
-                     : DmsPoint{Rational::from_double(p.x), Rational::from_double(p.y),
-                                Rational::from_double(p.z)};
-        add(evaluator, point);
+      if (exact) {
+        evaluate_exactly(*exact, batch);
+      } else {
+        evaluate_fast(*fast, batch);
       }
     }
   }
 
-  void add(DmsEvaluator& evaluator, const DmsPoint& at) {
-    DmsPointReport point;
-    if (const auto place = evaluator.locate(at)) {
-      DmsValue value = evaluator.evaluate(*place);
-      point.tetrahedron = place->tetrahedron;
-      point.value = std::move(value.value);
-      if (options_.with_gradient) point.gradient = std::move(value.gradient);
+  void evaluate_exactly(DmsEvaluator& evaluator, const PointBatch& batch) {
+    std::size_t exact = 0;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const bool is_exact = exact < batch.exact.size() && batch.exact[exact].first == i;
+      const Vec3d& p = batch.points[i];
+      const DmsPoint at = is_exact
+                              ? batch.exact[exact++].second
+                              : DmsPoint{Rational::from_double(p.x), Rational::from_double(p.y),
+                                         Rational::from_double(p.z)};
+      DmsPointReport point;
+      if (const auto place = evaluator.locate(at)) {
+        DmsValue value = evaluator.evaluate(*place);
+        point.tetrahedron = place->tetrahedron;
+        point.value = std::move(value.value);
+        if (options_.with_gradient) point.gradient = std::move(value.gradient);
+      }
+      add(std::move(point));
     }
-    if (options_.json != "-") out_.write(dms_point_text(point, options_.is_exact));
+  }
+
+  void evaluate_fast(FastDms& fast, const PointBatch& batch) {
+    const std::size_t n = batch.size(), k = fast.num_components();
+    std::vector<double> value(n * k), bound(n * k);
+    std::vector<double> gradient(options_.with_gradient ? 3 * n * k : 0), slack(gradient.size());
+    std::vector<std::uint32_t> tetrahedron(n);
+    FastDmsOutput out{value.data(), bound.data(), nullptr, nullptr, tetrahedron.data()};
+    if (options_.with_gradient) out.gradient = gradient.data(), out.gradient_bound = slack.data();
+    fast.evaluate(batch.points, out, batch.exact);
+    for (std::size_t i = 0; i < n; ++i) {
+      DmsPointReport point;
+      if (tetrahedron[i] != FastDms::kNoTetrahedron) {
+        point.tetrahedron = tetrahedron[i];
+        for (std::size_t c = i * k; c < (i + 1) * k; ++c) {
+          point.number.push_back(value[c]);
+          if (options_.json) add_bounds(value[c], bound[c], point.lo, point.hi);
+        }
+        for (std::size_t c = 3 * i * k; options_.with_gradient && c < 3 * (i + 1) * k; c += 3) {
+          std::vector<double> low, high;
+          for (std::size_t a = c; a < c + 3; ++a) add_bounds(gradient[a], slack[a], low, high);
+          point.gradient_lo.push_back({low[0], low[1], low[2]});
+          point.gradient_hi.push_back({high[0], high[1], high[2]});
+        }
+      }
+      add(std::move(point));
+    }
+  }
+
+  static void add_bounds(double value, double bound, std::vector<double>& lo,
+                         std::vector<double>& hi) {
+    const auto [low, high] = enclosure_of(value, bound);
+    lo.push_back(low), hi.push_back(high);
+  }
+
+  void add(DmsPointReport point) {
+    if (options_.json != "-") out_.write(dms_point_text(point));
     if (options_.json) report_.points.push_back(std::move(point));
   }
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "report/dms_report.h"
 
+#include <array>
+#include <charconv>
+#include <system_error>
+
 #include "report/decimal_text.h"
 #include "report/json_text.h"
+#include "robust/base/check.h"
 #include "verify/certify/certify.h"
 
 namespace veritope::report {
@@ -18,30 +23,32 @@ Json each_json(const List& list, Number number) {
 }
 
 Json exact_json(const Rational& r) { return fraction_text(r); }
-Json low_json(const Rational& r) { return number_json(round_down(r)); }
-Json high_json(const Rational& r) { return number_json(round_up(r)); }
+Json bound_json(double x) { return number_json(x); }
 
-template <typename Number>
-Json gradient_json(const std::vector<std::array<Rational, 3>>& gradient, Number number) {
+template <typename Rows, typename Number>
+Json gradient_json(const Rows& gradient, Number number) {
   return each_json(gradient, [&](const auto& row) { return each_json(row, number); });
 }
 
-std::string point_json_text(const DmsPointReport& point, bool is_exact) {
-  const std::vector<Rational> none;
-  const std::vector<std::array<Rational, 3>> no_gradient;
-  const auto& exact = is_exact ? point.value : none;
-  const auto& enclosed = is_exact ? none : point.value;
-  const auto& exact_gradient = is_exact ? point.gradient : no_gradient;
-  const auto& enclosed_gradient = is_exact ? no_gradient : point.gradient;
+std::string point_json_text(const DmsPointReport& point) {
   Json out;
   out["tetrahedron"] = optional_json(point.tetrahedron);
-  out["exact"] = each_json(exact, exact_json);
-  out["gradient"] = gradient_json(exact_gradient, exact_json);
-  out["lo"] = each_json(enclosed, low_json);
-  out["hi"] = each_json(enclosed, high_json);
-  out["gradient_lo"] = gradient_json(enclosed_gradient, low_json);
-  out["gradient_hi"] = gradient_json(enclosed_gradient, high_json);
+  out["exact"] = each_json(point.value, exact_json);
+  out["gradient"] = gradient_json(point.gradient, exact_json);
+  out["lo"] = each_json(point.lo, bound_json);
+  out["hi"] = each_json(point.hi, bound_json);
+  out["gradient_lo"] = gradient_json(point.gradient_lo, bound_json);
+  out["gradient_hi"] = gradient_json(point.gradient_hi, bound_json);
   return dump(out);
+}
+
+// As scientific_text writes it.
+std::string number_text(double x) {
+  std::array<char, 40> text;
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::scientific, 16);
+  VT_CHECK(error == std::errc(), "a number has at most 24 characters");
+  return {text.data(), end};
 }
 
 Json defects_json(const DmsDefects& defects) {
@@ -73,17 +80,21 @@ std::string dms_eval_json(const DmsEvalReport& report) {
   text += ", \"points\": [";
   bool is_first = true;
   for (const DmsPointReport& point : report.points) {
-    text += (is_first ? "\n" : ",\n") + point_json_text(point, report.is_exact);
+    text += (is_first ? "\n" : ",\n") + point_json_text(point);
     is_first = false;
   }
   return text + "]}\n";
 }
 
-std::string dms_point_text(const DmsPointReport& point, bool is_exact) {
+std::string dms_point_text(const DmsPointReport& point) {
   if (!point.tetrahedron) return "outside\n";
   std::string text;
-  for (const Rational& r : point.value)
-    text += (text.empty() ? "" : " ") + (is_exact ? fraction_text(r) : scientific_text(r));
+  const auto add = [&](const std::string& number) {
+    if (!text.empty()) text += ' ';
+    text += number;
+  };
+  for (const Rational& r : point.value) add(fraction_text(r));
+  for (const double x : point.number) add(number_text(x));
   return text + "\n";
 }
 

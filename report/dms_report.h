@@ -12,11 +12,15 @@
 
 namespace veritope::report {
 
-/// One point of the file. Values are empty outside of the domain, gradients if they were not wanted, too.
+/// One point of the file. All lists are empty outside of the domain, gradients if they were not wanted, too.
 struct DmsPointReport {
   std::optional<std::uint32_t> tetrahedron;
+  /// With fractions.
   std::vector<Rational> value;
   std::vector<std::array<Rational, 3>> gradient;
+  /// Without: numbers within the bounds, and the bounds; infinite ones are beyond binary64.
+  std::vector<double> number, lo, hi;
+  std::vector<std::array<double, 3>> gradient_lo, gradient_hi;
 };
 
 struct DmsEvalReport {
@@ -33,7 +37,7 @@ struct DmsEvalReport {
 /// The schema: docs/report.schema.json, dms_eval. One line a point.
 std::string dms_eval_json(const DmsEvalReport& report);
 
-/// One line: the numbers of the value as fractions, or rounded to nearest binary64; "outside".
-std::string dms_point_text(const DmsPointReport& point, bool is_exact);
+/// One line: the numbers of the value as fractions, or binary64 ones with 17 digits; "outside".
+std::string dms_point_text(const DmsPointReport& point);
 
 }  // namespace veritope::report

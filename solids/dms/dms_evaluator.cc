@@ -131,7 +131,10 @@ DmsEvaluator::DmsEvaluator(const DmsModel& model) : model_(model) {
 DmsEvaluator::~DmsEvaluator() = default;
 
 std::vector<std::uint32_t> DmsEvaluator::near(const ExactPoint3& point) const {
-  const Box3d at = box_of(point);
+  return near(box_of(point));
+}
+
+std::vector<std::uint32_t> DmsEvaluator::near(const Box3d& at) const {
   std::vector<std::uint32_t> found;
   by_knots_.visit([&](const Box3d& box) { return meets(box, at); },
                   [&](std::uint32_t t) { found.push_back(t); });
@@ -162,6 +165,11 @@ std::optional<DmsPlace> DmsEvaluator::locate(const DmsPoint& point) const {
 internal::DmsTable& DmsEvaluator::table(std::uint32_t tetrahedron) {
   const auto found = tables_.find(tetrahedron);
   if (found != tables_.end()) return *found->second;
+  auto made = std::make_unique<internal::DmsTable>(make_table(tetrahedron));
+  return *tables_.emplace(tetrahedron, std::move(made)).first->second;
+}
+
+internal::DmsTable DmsEvaluator::make_table(std::uint32_t tetrahedron) const {
   DmsKnots knots;
   std::array<const ExactPoint3*, 4 * internal::kKnotsOfCorner> points{};
   for (std::size_t m = 0; m < 4; ++m) {
@@ -176,8 +184,7 @@ internal::DmsTable& DmsEvaluator::table(std::uint32_t tetrahedron) {
       points[number] = &knots_[first_knot_[v] + first];
     }
   }
-  return *tables_.emplace(tetrahedron, std::make_unique<internal::DmsTable>(knots, points))
-              .first->second;
+  return {knots, points};
 }
 
 DmsValue DmsEvaluator::evaluate(const DmsPlace& place) {

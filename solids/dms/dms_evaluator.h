@@ -49,6 +49,13 @@ class DmsEvaluator {
 
   /// The tetrahedra whose knots' boxes contain the point, ascending: all others have no term there.
   std::vector<std::uint32_t> near(const ExactPoint3& point) const;
+  /// Those whose knots' boxes meet the box.
+  std::vector<std::uint32_t> near(const Box3d& box) const;
+  /// A box around a tetrahedron's corners, and one around all its knots. Bounds are at most the greatest double.
+  const Box3d& corner_box(std::uint32_t tetrahedron) const { return corner_boxes_[tetrahedron]; }
+  const Box3d& knot_box(std::uint32_t tetrahedron) const { return knot_boxes_[tetrahedron]; }
+  /// The frames of a tetrahedron's knots, none of them computed yet; the evaluator must outlive it.
+  internal::DmsTable make_table(std::uint32_t tetrahedron) const;
 
   /// visit(I, γ, N_γ) for the basis functions with |γ| = sum that are not off their support at the place.
   /// REQUIRES 0 <= sum <= model.degree.

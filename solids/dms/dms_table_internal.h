@@ -23,6 +23,8 @@ class DmsTable {
       : knots_(knots), points_(points) {}
 
   const DmsKnots& knots() const { return knots_; }
+  /// REQUIRES the number of a knot.
+  const ExactPoint3& point(KnotNumber knot) const { return *points_[knot]; }
   /// Four affinely independent knots of the set; null if the set has no such four. If the last knots of the four
   /// corners are independent they are chosen: what the recurrence leaves of V_γ are then the V of lesser γ, which the
   /// other γ share, and few sets that lack a corner.

@@ -138,7 +138,8 @@ void degree_rows(int degree, int side, int divisor, double tricubic, Random& ran
   const Stopwatch watch;
   fast.evaluate(points, {value.data()});
   const double tables = watch.ns() * 1e-9;
-  const double plain = least_ns(6, kBatch, [&] { fast.evaluate(points, {value.data()}); });
+  const int passes = degree <= 2 ? 24 : 8;
+  const double plain = least_ns(passes, kBatch, [&] { fast.evaluate(points, {value.data()}); });
   const double bounded = least_ns(6, kBatch, [&] {
     fast.evaluate(points, {value.data(), bound.data()});
   });
@@ -173,7 +174,7 @@ void degree_rows(int degree, int side, int divisor, double tricubic, Random& ran
             : degree == 3 ? "\"goal\":\"<= 60 times\""
                           : "");
   if (degree < 2) return;
-  const PeerFigures peer = race_peer(model, fast, random, degree == 2 ? 20 : 5);
+  const PeerFigures peer = race_peer(model, fast, random, degree == 2 ? 40 : 5);
   print_row(name + "_vs_recurrence", plain, peer.ns,
             number("agrees", peer.agrees) + "," + number("near", peer.near) + "," +
                 number("not_zero", peer.not_zero) +

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "robust/base/check.h"
-#include "solids/dms/dms_table_internal.h"
+#include "solids/dms/dms_table.h"
 #include "splines/dms_spline.h"
 
 namespace veritope {

@@ -4,7 +4,9 @@
 and the schema of the format."""
 import copy
 import json
+import math
 import pathlib
+import random
 import re
 import unittest
 from fractions import Fraction as F
@@ -94,6 +96,43 @@ class Dms(Folder):
             for row, lows, highs in zip(e["gradient"], d["gradient_lo"], d["gradient_hi"]):
                 for value, lo, hi in zip(fractions(row), lows, highs):
                     self.assertTrue(F(lo) <= value <= F(hi))
+
+    def test_enclosures_of_many_points_hold_and_are_narrow(self):
+        rng = random.Random(5)
+        points = []
+        for i in range(90):
+            parts = [rng.randint(1, 99) for _ in range(4)]
+            corner = rng.choice("012") if i % 9 == 0 else ""  # on a face of the domain
+            at = [F(0) if corner == str(axis) else F(parts[axis], sum(parts)) for axis in range(3)]
+            points.append(" ".join((str(float(c)), "%.7f" % c, str(c))[i % 3] for c in at))
+        points += ["0 0 0", "1/4 1/4 1/4", "0.25 0.25 0.25", "2 0 0", "0 0 -1e-300"]
+        for degree in "1", "2", "3", "4":
+            model, _ = self.make("--degree", degree, "--clouds", "0.1:5", "--control", "edges")
+            document = json.loads(model.read_text())
+            greatest = [max(abs(F(e["value"][c])) for e in document["control"]) for c in range(len(document["control"][0]["value"]))]
+            exact = self.evaluate(model, points, "--exact", "--gradient")["points"]
+            enclosed = self.evaluate(model, points, "--gradient")["points"]
+            lines = run("dms", "eval", model, "-", input="".join(p + "\n" for p in points), cwd=self.folder).stdout.splitlines()
+            self.assertEqual((len(enclosed), len(lines)), (len(points), len(points)))
+            wide = 0
+            for text, line, e, d in zip(points, lines, exact, enclosed):
+                self.assertEqual(d["tetrahedron"], e["tetrahedron"], text)
+                if e["tetrahedron"] is None:
+                    self.assertEqual((line, set(d.values())), ("outside", {None}))
+                    continue
+                numbers = [float(t) for t in line.split()]
+                for most, value, lo, hi, number in zip(greatest, fractions(e["exact"]), d["lo"], d["hi"], numbers):
+                    self.assertTrue(F(lo) <= value <= F(hi), (text, value, lo, hi))
+                    self.assertLessEqual(F(hi) - F(lo), most / 10**12)
+                    self.assertLessEqual(abs(F(number) - value), most / (2 * 10**12))
+                    self.assertRegex(line.split()[0], r"^-?[0-9]\.[0-9]{16}e[-+][0-9]{2}$")
+                    wide += F(hi) - F(lo) > F(math.ulp(number)) * 4
+                for most, row, lows, highs in zip(greatest, e["gradient"], d["gradient_lo"], d["gradient_hi"]):
+                    for value, lo, hi in zip(fractions(row), lows, highs):
+                        self.assertTrue(F(lo) <= value <= F(hi), (text, value, lo, hi))
+                        self.assertLessEqual(F(hi) - F(lo), max(most / 10**12, 4 * F(math.ulp(hi))))
+            if int(degree) < 4:  # most points did not take the exact way
+                self.assertGreater(wide, 90)
 
     def test_points_outside_have_no_values(self):
         model, _ = self.make("--degree", "2")

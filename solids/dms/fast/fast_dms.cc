@@ -122,11 +122,16 @@ class FastDms::Work {
   };
 
   internal::FastGrid make_grid() {
+    std::vector<std::array<Point3d, 4>> corners;
     for (std::uint32_t t = 0; t < slots_.size(); ++t) {
       slots_[t].place = FastPlace::around(evaluator_.corner_box(t));
       boxes_.push_back(slots_[t].place ? slots_[t].place->box : evaluator_.corner_box(t));
+      auto& at = corners.emplace_back();
+      for (std::size_t m = 0; m < 4; ++m)
+        for (std::size_t c = 0; c < 3; ++c)
+          at[m][c] = nearest_double(model_.knot(model_.tetrahedra[t][m], 0)[c]);
     }
-    return internal::FastGrid(boxes_);
+    return {boxes_, corners};
   }
 
   // ---- places

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/dms/fast/fast_grid_internal.h: which tetrahedra may contain a point: lists of a regular grid.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,18 +12,20 @@
 
 namespace veritope::internal {
 
-/// Cells of a grid over the hull of boxes, with the numbers of the boxes that meet each cell, ascending. There are
-/// approximately eight cells for each box; fewer, if the lists would have more than 64 entries for each box.
+/// Cells of a grid over the hull of boxes, with the numbers of the tetrahedra that meet each cell, ascending. There are
+/// approximately eight cells for each box; fewer, if the lists could have more than 64 entries for each box.
 class FastGrid {
  public:
-  /// REQUIRES finite boxes.
-  explicit FastGrid(const std::vector<Box3d>& boxes);
+  /// Boxes around tetrahedra, and their corners, rounded to nearest. REQUIRES finite boxes.
+  FastGrid(const std::vector<Box3d>& boxes, const std::vector<std::array<Point3d, 4>>& corners);
 
-  /// All boxes that contain the point are listed, ascending; others may be.
+  /// All tetrahedra that contain the point, or one that rounds to it, are listed, ascending; others may be.
   std::span<const std::uint32_t> near(const Vec3d& p) const;
 
  private:
-  bool fill(const std::vector<Box3d>& boxes, std::size_t limit);
+  bool fill(const std::vector<Box3d>& boxes, const std::vector<std::array<Point3d, 4>>& corners,
+            std::size_t limit);
+  Box3d cell_box(const std::array<std::size_t, 3>& at) const;
   std::size_t cell(double x, std::size_t axis) const;
 
   Box3d all_;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "solids/dms/dms_table_internal.h"
+#include "solids/dms/dms_table.h"
 #include "solids/dms/fast/fast_region_internal.h"
 
 namespace veritope::internal {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "robust/base/check.h"
-#include "solids/dms/dms_table_internal.h"
+#include "solids/dms/dms_table.h"
 #include "solids/dms/fast/fast_pair_internal.h"
 #include "solids/dms/fast/fast_tables_internal.h"
 

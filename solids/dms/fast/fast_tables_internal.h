@@ -11,7 +11,7 @@
 
 #include "robust/base/box3d.h"
 #include "solids/dms/dms_evaluator.h"
-#include "solids/dms/dms_table_internal.h"
+#include "solids/dms/dms_table.h"
 #include "solids/dms/fast/fast_dms_internal.h"
 
 namespace veritope::internal {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/dms_table_internal.h: the frames of one tetrahedron's knots, and which of their tetrahedra contain a
-// point.
+// solids/dms/dms_table.h: the frames of one tetrahedron's knots, and which of their tetrahedra contain a point.
 #pragma once
 #include <array>
 #include <cstddef>

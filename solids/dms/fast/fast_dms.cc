@@ -4,31 +4,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "robust/base/check.h"
 #include "robust/base/fp_guard.h"
-#include "solids/dms/fast/fast_grid_internal.h"
 #include "solids/dms/fast/fast_pair_internal.h"
 #include "solids/dms/fast/fast_region_internal.h"
+#include "solids/dms/fast/fast_store_internal.h"
 
 namespace veritope {
 namespace {
 
 using internal::FastCell;
 using internal::FastDmsKernels;
-using internal::FastPlace;
 using internal::FastRegion;
 using internal::FastRegionUnit;
-using internal::FastTables;
+using internal::is_in_box;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kChunk = 256;
 // The errors of errors, and what underflow may lose (docs/bounds/fast_dms.md, 6).
 constexpr double kRaise = 1 + 0x1p-40, kLost = 0x1p-600;
-constexpr double kLeastControl = 0x1p-300, kMostControl = 0x1p300;
 
 const FastDmsKernels* kernels_of(FastDmsBackEnd back_end) {
   if (back_end == FastDmsBackEnd::kBaseline) return &internal::kFastDmsBaseline;
@@ -38,9 +35,10 @@ const FastDmsKernels* kernels_of(FastDmsBackEnd back_end) {
   return nullptr;
 }
 
-bool is_in_box(const Box3d& b, const Vec3d& p) {
-  return p.x >= b.lo[0] && p.x <= b.hi[0] && p.y >= b.lo[1] && p.y <= b.hi[1] && p.z >= b.lo[2] &&
-         p.z <= b.hi[2];
+const FastDmsKernels* checked_kernels(FastDmsBackEnd back_end) {
+  const FastDmsKernels* const found = kernels_of(back_end);
+  VT_CHECK(found != nullptr, "this processor lacks the back end's instructions");
+  return found;
 }
 
 // A row of a chunk's points for the kernels, with room for whole vectors.
@@ -68,22 +66,13 @@ class FastDms::Work {
       : model_(model),
         options_(options),
         evaluator_(model),
-        kernels_(kernels_of(options.back_end)),
+        kernels_(checked_kernels(options.back_end)),
         components_(model.num_components()),
         exact_first_(options.exact_first.value_or(
             model.degree > 3 ? std::size_t{4} << (2 * (model.degree - 3)) : 4)),
         slots_(model.tetrahedra.size()),
-        sides_(model.tetrahedra.size()),
-        grid_(make_grid()) {
-    VT_CHECK(kernels_ != nullptr, "this processor lacks the back end's instructions");
-    greatest_.resize(components_);
-    for (std::size_t i = 0; i < model.control.values.size(); ++i) {
-      const Rational& c = model.control.values[i];
-      double& most = greatest_[i % components_];
-      most = std::max({most, round_up(c), -round_down(c)});
-    }
-    for (const double most : greatest_)
-      is_in_range_ = is_in_range_ && (most == 0 || (most >= kLeastControl && most <= kMostControl));
+        cells_(model, evaluator_, *kernels_),
+        store_(model, evaluator_, cells_, options.with_gradient, options.max_bytes) {
     chunk_.value.resize(kChunk * components_);
     if (options.with_gradient) chunk_.gradient.resize(3 * kChunk * components_);
   }
@@ -91,7 +80,7 @@ class FastDms::Work {
   std::size_t components() const { return components_; }
   const FastDmsCounts& counts() const { return counts_; }
   std::size_t num_near(std::uint32_t t) {
-    const FastRegion* const r = region(t);
+    const FastRegion* const r = store_.region(t);
     return r == nullptr ? 0 : r->num_tops;
   }
 
@@ -115,88 +104,16 @@ class FastDms::Work {
 
  private:
   struct Slot {
-    std::optional<FastPlace> place;
-    std::unique_ptr<FastCell> cell;  // made when a point is in the box
     std::size_t seen = 0;
     std::uint32_t count = 0, first = 0;  // of the points at hand
   };
-
-  internal::FastGrid make_grid() {
-    std::vector<std::array<Point3d, 4>> corners;
-    for (std::uint32_t t = 0; t < slots_.size(); ++t) {
-      slots_[t].place = FastPlace::around(evaluator_.corner_box(t));
-      boxes_.push_back(slots_[t].place ? slots_[t].place->box : evaluator_.corner_box(t));
-      auto& at = corners.emplace_back();
-      for (std::size_t m = 0; m < 4; ++m)
-        for (std::size_t c = 0; c < 3; ++c)
-          at[m][c] = nearest_double(model_.knot(model_.tetrahedra[t][m], 0)[c]);
-    }
-    return {boxes_, corners};
-  }
-
-  // ---- places
-
-  const FastCell* cell(std::uint32_t t) {
-    Slot& slot = slots_[t];
-    if (slot.cell || !slot.place) return slot.cell.get();
-    std::array<std::array<Rational, 3>, 4> at;
-    auto made = std::make_unique<FastCell>();
-    for (std::size_t m = 0; m < 4; ++m) {
-      at[m] = model_.knot(model_.tetrahedra[t][m], 0);
-      for (std::size_t c = 0; c < 3; ++c) made->corners[m][c] = nearest_double(at[m][c]);
-    }
-    const auto frame =
-        slot.place->round(simplex_frame<Rational>({0, 1, 2, 3}, at, Sign::kPositive));
-    if (!frame) return slot.place.reset(), nullptr;
-    made->place = *slot.place;
-    made->box = evaluator_.corner_box(t);
-    made->frame = *frame;
-    slot.cell = std::move(made);
-    sides_[t] = &slot.cell->side;
-    set_side(*slot.cell);
-    return slot.cell.get();
-  }
-
-  static void set_side(FastCell& at) {
-    internal::FastSide& s = at.side;
-    s.scale = at.place.scale;
-    s.low[3] = -kInfinity, s.high[3] = kInfinity;
-    for (std::size_t c = 0; c < 3; ++c) {
-      s.low[c] = at.place.box.lo[c], s.high[c] = at.place.box.hi[c];
-      s.origin[c] = at.place.origin[c];
-    }
-    for (std::size_t m = 0; m < 4; ++m) {
-      for (std::size_t c = 0; c < 4; ++c) s.c[c][m] = at.frame.lambda[m].c[c];
-      for (std::size_t r = 0; r < 2; ++r) s.error[r][m] = at.frame.lambda[m].error[r];
-    }
-  }
-
-  // The number of the tetrahedron in which the point is, by more than rounding errors; kFastUndecided or kFastNowhere.
-  std::uint32_t locate(const Vec3d& u, double rounded) {
-    if (!(std::isfinite(u.x) && std::isfinite(u.y) && std::isfinite(u.z)))
-      return internal::kFastUndecided;
-    const double at[4] = {u.x, u.y, u.z, 0};
-    std::span<const std::uint32_t> list = grid_.near(u);
-    for (;;) {
-      std::size_t place = 0;
-      const std::uint32_t t =
-          kernels_->find(list.data(), list.size(), sides_.data(), at, rounded, &place);
-      if (t != internal::kFastUnmade) return t;
-      const std::uint32_t unmade = list[place];
-      if (cell(unmade) == nullptr) {
-        if (is_in_box(boxes_[unmade], u)) return internal::kFastUndecided;
-        ++place;
-      }
-      list = list.subspan(place);
-    }
-  }
 
   void locate_all() {
     met_.clear();
     where_.resize(points_.size());
     std::uint32_t inside = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const std::uint32_t t = locate(points_[i], is_rounded_[i]);
+      const std::uint32_t t = cells_.locate(points_[i], is_rounded_[i]);
       where_[i] = t;
       if (out_.tetrahedron != nullptr) out_.tetrahedron[i] = t;
       if (t == kNoTetrahedron) {
@@ -227,55 +144,13 @@ class FastDms::Work {
     exactly_.push_back(static_cast<std::uint32_t>(i));
   }
 
-  // ---- tables
-
-  const FastTables* tables(std::uint32_t t) {
-    const auto found = tables_.find(t);
-    if (found != tables_.end()) return found->second.get();
-    auto made =
-        internal::make_fast_tables(model_, evaluator_, t, options_.with_gradient, greatest_);
-    std::unique_ptr<FastTables> kept;
-    if (made) kept = std::make_unique<FastTables>(std::move(*made)), bytes_ += kept->bytes();
-    return tables_.emplace(t, std::move(kept)).first->second.get();
-  }
-
-  // Null if a number near the tetrahedron is out of range.
-  const FastRegion* region(std::uint32_t t) {
-    const auto found = regions_.find(t);
-    if (found != regions_.end()) return found->second.get();
-    if (bytes_ > options_.max_bytes) regions_.clear(), tables_.clear(), bytes_ = 0;
-    auto made = make_region(t);
-    if (made) bytes_ += made->bytes();
-    return regions_.emplace(t, std::move(made)).first->second.get();
-  }
-  std::unique_ptr<FastRegion> make_region(std::uint32_t t) {
-    const FastCell* const at = is_in_range_ ? cell(t) : nullptr;
-    if (at == nullptr) return nullptr;
-    auto made = std::make_unique<FastRegion>();
-    const auto add = [&](std::uint32_t other) {
-      const FastTables* const from = tables(other);
-      if (from == nullptr) return false;
-      auto unit = internal::make_fast_unit(*from, model_.tetrahedra[other], *at,
-                                           model_.tetrahedra[t], components_);
-      if (!unit) return true;
-      made->num_tops += unit->tops.size();
-      made->scratch = std::max(made->scratch, internal::fast_scratch_size(unit->unit));
-      made->units.push_back(std::move(unit));
-      return true;
-    };
-    if (!add(t)) return nullptr;
-    for (const std::uint32_t other : evaluator_.near(evaluator_.corner_box(t)))
-      if (other != t && !add(other)) return nullptr;
-    return made;
-  }
-
   // ---- values
 
   void evaluate_inside(std::uint32_t t) {
     Slot& slot = slots_[t];
     const std::span<const std::uint32_t> all = std::span(sorted_).subspan(slot.first, slot.count);
     slot.seen += all.size();
-    const FastRegion* const here = slot.seen > exact_first_ ? region(t) : nullptr;
+    const FastRegion* const here = slot.seen > exact_first_ ? store_.region(t) : nullptr;
     if (here == nullptr) {
       for (const std::uint32_t i : all) put_off(i, counts_.unprepared);
       return;
@@ -287,7 +162,7 @@ class FastDms::Work {
       for (const std::uint32_t i : all)
         if (is_rounded_[i] == rounded) ids.push_back(i);
       for (std::size_t begin = 0; begin < ids.size(); begin += kChunk)
-        evaluate_chunk(*here, *slot.cell,
+        evaluate_chunk(*here, *cells_.cell(t),
                        std::span(ids).subspan(begin, std::min(kChunk, ids.size() - begin)),
                        rounded);
     }
@@ -397,7 +272,8 @@ class FastDms::Work {
     if (bounds != nullptr) bounds[at] = (bound(error, component) + std::abs(x.lo)) * kRaise;
   }
   double bound(double error, std::size_t component) const {
-    return greatest_[component] == 0 ? 0 : error * greatest_[component] * kRaise + kLost;
+    const double most = store_.greatest(component);
+    return most == 0 ? 0 : error * most * kRaise + kLost;
   }
 
   void write_outside(std::size_t i) {
@@ -446,15 +322,9 @@ class FastDms::Work {
   DmsEvaluator evaluator_;
   const FastDmsKernels* kernels_;
   std::size_t components_, exact_first_;
-  std::vector<Slot> slots_;                       // of the tetrahedra
-  std::vector<Box3d> boxes_;                      // wider than theirs
-  std::vector<const internal::FastSide*> sides_;  // null where there is no cell yet
-  internal::FastGrid grid_;
-  std::vector<double> greatest_;
-  bool is_in_range_ = true;
-  std::unordered_map<std::uint32_t, std::unique_ptr<FastTables>> tables_;
-  std::unordered_map<std::uint32_t, std::unique_ptr<FastRegion>> regions_;
-  std::size_t bytes_ = 0;
+  std::vector<Slot> slots_;  // of the tetrahedra
+  internal::FastCells cells_;
+  internal::FastStore store_;
   FastDmsCounts counts_;
 
   // The call at hand.

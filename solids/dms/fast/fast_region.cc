@@ -50,7 +50,7 @@ class FastParting {
     }
     return false;
   }
-  /// The same with the planes through three knots of the set, too. @cost cubic in their number
+  /// Whether a plane through three knots of the set does so. @cost cubic in their number
   bool is_parted_by_knots(const KnotSet& set) const {
     std::vector<const FastCorner*> all;
     for (std::size_t i = 0; i < set.size(); ++i)

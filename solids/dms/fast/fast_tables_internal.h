@@ -21,6 +21,9 @@ struct FastLow {
   double c[4];
 };
 
+/// The greatest coefficient of barycentric coordinates, and what is added to bounds for underflow.
+inline constexpr double kMostBarycentric = 0x1p40, kFloor = 0x1p-900;
+
 /// Local coordinates (u - origin) * 2^-exponent of the points of a box, which include each exact point that rounds to a
 /// binary64 one in it.
 struct FastPlace {

@@ -76,29 +76,12 @@ const SimplexFrame<Rational>* DmsTable::frame(const KnotSet& set) {
 }
 
 const SimplexFrame<Rational>* DmsTable::find_frame(const KnotSet& set) {
-  // The different knots: the last one of each corner, then the last but one of each, and so on.
-  std::array<KnotNumber, KnotSet::kMaxSize> order{};
-  std::size_t count = 0;
-  for (std::size_t depth = 0, found = 1; found > 0; ++depth) {
-    found = 0;
-    for (std::size_t end = set.size(); end > 0;) {
-      const std::size_t corner = set[end - 1] / kKnotsOfCorner;
-      std::size_t seen = 0;
-      for (std::size_t i = end; i > 0 && set[i - 1] / kKnotsOfCorner == corner; end = --i) {
-        const bool is_repeated = i < set.size() && set[i] == set[i - 1];
-        if (!is_repeated && seen++ == depth) order[count++] = set[i - 1], ++found;
-      }
-    }
-  }
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = i + 1; j < count; ++j)
-      for (std::size_t k = j + 1; k < count; ++k)
-        for (std::size_t l = k + 1; l < count; ++l) {
-          std::array<KnotNumber, 4> four{order[i], order[j], order[k], order[l]};
-          std::sort(four.begin(), four.end());
-          if (const auto* const frame = frame_of(four)) return frame;
-        }
-  return nullptr;
+  const SimplexFrame<Rational>* found = nullptr;
+  four_independent(set, [&](const auto& four) {
+    found = frame_of(four);
+    return found != nullptr;
+  });
+  return found;
 }
 
 }  // namespace internal
@@ -187,8 +170,12 @@ internal::DmsTable DmsEvaluator::make_table(std::uint32_t tetrahedron) const {
   return {knots, points};
 }
 
-DmsValue DmsEvaluator::evaluate(const DmsPlace& place) {
+void DmsEvaluator::drop_tables_if_many() {
   if (num_frames_ > kMaxKeptFrames) tables_.clear(), num_frames_ = 0;
+}
+
+DmsValue DmsEvaluator::evaluate(const DmsPlace& place) {
+  drop_tables_if_many();
   const ExactPoint3& u = place.path.start();
   DmsSums<Rational> sums(model_.num_components());
   for (const std::uint32_t t : near(u)) {

@@ -62,13 +62,17 @@ class DmsEvaluator {
   template <typename Visit>
   void for_each_basis(const DmsPlace& place, int sum, Visit visit);
 
+  /// What is kept of a tetrahedron, for the units of this folder: valid until the next call of another function.
+  internal::DmsTable& table(std::uint32_t tetrahedron);
+
  private:
+  friend class DmsLineIntegrator;
   struct Basis {
     TetrahedralIndex gamma;
     Rational value;
   };
   std::vector<Basis> basis(std::uint32_t tetrahedron, const EntryPath& path, int sum);
-  internal::DmsTable& table(std::uint32_t tetrahedron);
+  void drop_tables_if_many();
 
   const DmsModel& model_;
   std::vector<ExactPoint3> knots_;       // of all clouds

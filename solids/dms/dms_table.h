@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/dms/dms_table.h: the frames of one tetrahedron's knots, and which of their tetrahedra contain a point.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -14,6 +15,36 @@ namespace veritope::internal {
 /// Knot i of corner m has the number m kKnotsOfCorner + i, or that of an equal knot before it in the cloud.
 inline constexpr std::size_t kKnotsOfCorner = kMaxDmsDegree + 1;
 
+/// The first four knots of the set that is_independent(four) accepts, or nothing. First come the last knots of the
+/// corners, then the last but one of each, and so on: what the recurrence leaves of V_γ are then the V of lesser γ, which
+/// the other γ share, and few sets that lack a corner.
+template <typename IsIndependent>
+std::optional<std::array<KnotNumber, 4>> four_independent(const KnotSet& set,
+                                                          IsIndependent is_independent) {
+  std::array<KnotNumber, KnotSet::kMaxSize> order{};
+  std::size_t count = 0;
+  for (std::size_t depth = 0, found = 1; found > 0; ++depth) {
+    found = 0;
+    for (std::size_t end = set.size(); end > 0;) {
+      const std::size_t corner = set[end - 1] / kKnotsOfCorner;
+      std::size_t seen = 0;
+      for (std::size_t i = end; i > 0 && set[i - 1] / kKnotsOfCorner == corner; end = --i) {
+        const bool is_repeated = i < set.size() && set[i] == set[i - 1];
+        if (!is_repeated && seen++ == depth) order[count++] = set[i - 1], ++found;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      for (std::size_t k = j + 1; k < count; ++k)
+        for (std::size_t l = k + 1; l < count; ++l) {
+          std::array<KnotNumber, 4> four{order[i], order[j], order[k], order[l]};
+          std::sort(four.begin(), four.end());
+          if (is_independent(four)) return four;
+        }
+  return std::nullopt;
+}
+
 /// The frames of all quadruples that were asked for; they do not depend on the point.
 class DmsTable {
  public:
@@ -22,13 +53,11 @@ class DmsTable {
       : knots_(knots), points_(points) {}
 
   const DmsKnots& knots() const { return knots_; }
-  /// REQUIRES the number of a knot.
-  const ExactPoint3& point(KnotNumber knot) const { return *points_[knot]; }
-  /// Four affinely independent knots of the set; null if the set has no such four. If the last knots of the four
-  /// corners are independent they are chosen: what the recurrence leaves of V_γ are then the V of lesser γ, which the
-  /// other γ share, and few sets that lack a corner.
+  /// Four affinely independent knots of the set, those of four_independent; null if the set has no such four.
   const SimplexFrame<Rational>* frame(const KnotSet& set);
   std::size_t num_frames() const { return frames_.size(); }
+  /// REQUIRES a number of the tetrahedron's knots.
+  const ExactPoint3& point(KnotNumber number) const { return *points_[number]; }
   std::array<const ExactPoint3*, 4> corners(const SimplexFrame<Rational>& frame) const {
     return {points_[frame.knots[0]], points_[frame.knots[1]], points_[frame.knots[2]],
             points_[frame.knots[3]]};

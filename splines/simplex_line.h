@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // splines/simplex_line.h: moments of simplex splines along a line, the integrals of t^k M(x + t d|V) dt. Where the line
 // is inside a tetrahedron of knots is an argument: nothing is compared here.
-// Theory: docs/THEORY.md, section 10.  Source: [HHQ04] eq. 13, before its integration by parts.
+// Source: [HHQ04] eq. 13, before its integration by parts.  Design: docs/design/0096-x-rays.md.
 #pragma once
 #include <array>
 #include <concepts>

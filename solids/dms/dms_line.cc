@@ -162,16 +162,16 @@ std::vector<DmsStretch> DmsLineIntegrator::stretches(const DmsLine& line) const 
   });
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-  std::optional<std::uint32_t> last;  // the tetrahedron of the last stretch
+  std::int64_t last = -1;  // the tetrahedron of the last stretch; -1 outside of the domain
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     auto place = evaluator_.locate(at(line, (cuts[i] + cuts[i + 1]) / Rational(2)));
     if (!place) {
-      last.reset();
+      last = -1;
       continue;
     }
     const bool is_inward = place->path.target().has_value();
-    const bool goes_on = last && out.back().path.target().has_value() == is_inward &&
-                         (!is_inward || *last == place->tetrahedron);
+    const bool goes_on = last >= 0 && out.back().path.target().has_value() == is_inward &&
+                         (!is_inward || last == place->tetrahedron);
     last = place->tetrahedron;
     if (goes_on)
       out.back().end = cuts[i + 1];

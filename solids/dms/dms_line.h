@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/dms/dms_line.h: exact integrals of a simplex-spline solid's components along segments of its domain.
-// Theory: docs/THEORY.md, section 10.  Design: docs/design/0096-x-rays.md.
+// Design: docs/design/0096-x-rays.md.
 #pragma once
 #include <cstddef>
 #include <vector>

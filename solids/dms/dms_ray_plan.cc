@@ -152,14 +152,9 @@ class GridFrames {
 // The plan of one tetrahedron.
 class RayPlanBuilder {
  public:
-  RayPlanBuilder(const DmsModel& model, const DmsRayGrid& grid, GridFrames& frames,
-                 double steep_error, DmsTable& table, std::uint32_t t)
-      : model_(model),
-        grid_(grid),
-        frames_(frames),
-        steep_error_(steep_error),
-        table_(table),
-        tetrahedron_(t) {}
+  RayPlanBuilder(const DmsModel& model, const DmsRayGrid& grid, GridFrames& frames, DmsTable& table,
+                 std::uint32_t t)
+      : model_(model), grid_(grid), frames_(frames), table_(table), tetrahedron_(t) {}
 
   // Nothing if all rays miss the knots.
   std::optional<RayPlan> build() {
@@ -267,33 +262,18 @@ class RayPlanBuilder {
   }
   RayCell cell_of(const GridFrame& frame) const {
     RayCell cell;
-    std::array<std::vector<RayNumber>, 2> faces;
-    std::vector<std::pair<RayCell::Steep, RayNumber>> rest;
-    std::array<double, 2> errors{};
+    std::array<std::vector<RayNumber>, 3> faces;  // entering, leaving, parallel
     for (const auto& row : frame.row) {
       const Sign3 sign = row[3].sign();
-      if (sign == Sign3::kZero) {
-        rest.emplace_back(RayCell::Steep::kParallel, number_of(row[0], row[1], row[2]));
-        continue;
-      }
-      const std::size_t side = sign == Sign3::kPositive ? 0 : 1;
-      const RayNumber crossing = crossing_of(row);
-      if (!(crossing.error <= steep_error_)) {
-        rest.emplace_back(side == 0 ? RayCell::Steep::kIn : RayCell::Steep::kOut, crossing);
-        continue;
-      }
-      faces[side].push_back(crossing);
-      errors[side] = std::max(errors[side], crossing.error);
+      if (sign == Sign3::kZero)
+        faces[2].push_back(number_of(row[0], row[1], row[2]));
+      else
+        faces[sign == Sign3::kPositive ? 0 : 1].push_back(crossing_of(row));
     }
+    auto place = cell.face.begin();
+    for (const auto& list : faces) place = std::copy(list.begin(), list.end(), place);
     cell.num_in = static_cast<std::uint8_t>(faces[0].size());
     cell.num_out = static_cast<std::uint8_t>(faces[1].size());
-    auto place = std::copy(faces[0].begin(), faces[0].end(), cell.face.begin());
-    place = std::copy(faces[1].begin(), faces[1].end(), place);
-    for (const auto& [steep, number] : rest) {
-      cell.steep[static_cast<std::size_t>(place - cell.face.begin())] = steep;
-      *place++ = number;
-    }
-    cell.slack = paid(errors[0] + errors[1] + 8 * kRayUnit);
     const MidRad height = mid_rad(frame.height);
     cell.height = height.mid;
     cell.height_error = height.rad;
@@ -331,7 +311,6 @@ class RayPlanBuilder {
   const DmsModel& model_;
   const DmsRayGrid& grid_;
   GridFrames& frames_;
-  const double steep_error_;
   DmsTable& table_;
   const std::uint32_t tetrahedron_;
   std::map<std::array<KnotNumber, 4>, std::optional<GridFrame>> known_;
@@ -342,43 +321,39 @@ class RayPlanBuilder {
 
 }  // namespace
 
-RayClip clip_ray(const RayCell& cell, double i, double j, double& begin, double& end) {
-  double a = begin, b = end;
+RayClip clip_ray(const RayCell& cell, double i, double j, RaySpan& span) {
+  double a = span.begin, b = span.end, most_a = a, least_b = b;
   const std::size_t out = cell.num_in, rest = out + cell.num_out;
-  for (std::size_t f = 0; f < out; ++f) a = std::max(a, cell.face[f].on(i, j));
-  for (std::size_t f = out; f < rest; ++f) b = std::min(b, cell.face[f].on(i, j));
-  if (a - b > 1.0000001 * cell.slack) return RayClip::kMiss;
-  for (std::size_t f = rest; f < 4; ++f) {
-    const double value = cell.face[f].on(i, j), error = 2 * cell.face[f].error;
-    bool is_within = false, is_beyond = false;
-    switch (cell.steep[f]) {
-      case RayCell::Steep::kParallel:
-        is_within = value > error;
-        is_beyond = value < -error;
-        break;
-      case RayCell::Steep::kIn:
-        is_within = value + error <= a;
-        is_beyond = value - error > b + 2 * cell.slack;
-        break;
-      case RayCell::Steep::kOut:
-        is_within = value - error >= b;
-        is_beyond = value + error < a - 2 * cell.slack;
-        break;
-    }
-    if (is_beyond) return RayClip::kMiss;
-    if (!is_within) return RayClip::kUnsure;
+  for (std::size_t f = 0; f < out; ++f) {
+    const double t = cell.face[f].on(i, j);
+    a = std::max(a, t);
+    most_a = std::max(most_a, t + cell.face[f].error);
   }
-  begin = a;
-  end = std::max(a, b);
+  for (std::size_t f = out; f < rest; ++f) {
+    const double t = cell.face[f].on(i, j);
+    b = std::min(b, t);
+    least_b = std::min(least_b, t - cell.face[f].error);
+  }
+  // The true bound a is at most most_a, and at least a minus the error of the face that gave a, which is at most
+  // most_a - a; so with b.
+  const double slack =
+      1.0000001 * ((most_a - a) + (b - least_b)) + 8 * kRayUnit * (2 + std::abs(a) + std::abs(b));
+  if (a - b > slack) return RayClip::kMiss;
+  for (std::size_t f = rest; f < 4; ++f) {
+    const double value = cell.face[f].on(i, j);
+    if (value < -cell.face[f].error) return RayClip::kMiss;
+    if (!(value > cell.face[f].error)) return RayClip::kUnsure;
+  }
+  span = {a, std::max(a, b), slack};
   return RayClip::kHit;
 }
 
 std::vector<RayPlan> make_ray_plans(const DmsModel& model, DmsEvaluator& evaluator,
-                                    const DmsRayGrid& grid, double steep_error) {
+                                    const DmsRayGrid& grid) {
   GridFrames frames(grid);
   std::vector<RayPlan> plans;
   for (std::uint32_t t = 0; t < model.tetrahedra.size(); ++t)
-    if (auto plan = RayPlanBuilder(model, grid, frames, steep_error, evaluator.table(t), t).build())
+    if (auto plan = RayPlanBuilder(model, grid, frames, evaluator.table(t), t).build())
       plans.push_back(std::move(*plan));
   return plans;
 }

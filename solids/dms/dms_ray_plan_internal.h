@@ -32,20 +32,20 @@ struct RayCoordinate {
 /// A tetrahedron of knots, as the parameters s where rays cross the planes of its faces.
 struct RayCell {
   /// First num_in faces through which rays enter, then num_out through which they leave; `on` is the parameter. The
-  /// rest are faces that are parallel to the rays, or nearly so.
+  /// rest are parallel to the rays; `on` is the barycentric coordinate.
   std::array<RayNumber, 4> face{};
   std::uint8_t num_in = 0, num_out = 0;
-  enum class Steep : std::uint8_t { kParallel, kIn, kOut };
-  std::array<Steep, 4>
-      steep{};       ///< of the rest; `on` of a parallel one is its barycentric coordinate
-  double slack = 0;  ///< what the errors of an entering and of a leaving face add up to at most
   double height = 0, height_error = 0;
 };
+/// A part of a ray: what its true bounds differ from these by adds up to at most `slack`.
+struct RaySpan {
+  double begin = 0, end = 0, slack = 0;
+};
 enum class RayClip { kMiss, kHit, kUnsure };
-/// The part of [begin, end] in which a ray is in the cell. kMiss is certain. If kHit, begin <= end; together the true
-/// bounds differ from them by at most `slack`, and if the truth is empty, they differ from each other by no more.
-/// REQUIRES |begin|, |end| <= 1.01.
-RayClip clip_ray(const RayCell& cell, double i, double j, double& begin, double& end);
+/// Replaces a part of a ray by that in the cell. kMiss is certain. If kHit, begin <= end, and if the truth is empty, they
+/// differ from each other by no more than the slack. The slack is infinite where doubles do not suffice.
+/// REQUIRES bounds up to 1.01, without an error.
+RayClip clip_ray(const RayCell& cell, double i, double j, RaySpan& span);
 
 /// A set of knots of a degree over 0: the splines without one of four knots, and their coordinates.
 struct RayNode {
@@ -74,9 +74,8 @@ struct RayPlan {
   std::vector<RayTerm> terms;
 };
 
-/// The plans of the tetrahedra that rays may meet, ascending. Faces for which parameters have errors over `steep_error` count as nearly parallel.
-/// REQUIRES d(W_γ) != 0 as DmsEvaluator::evaluate does.
+/// The plans of the tetrahedra that rays may meet, ascending. REQUIRES d(W_γ) != 0 as DmsEvaluator::evaluate does.
 std::vector<RayPlan> make_ray_plans(const DmsModel& model, DmsEvaluator& evaluator,
-                                    const DmsRayGrid& grid, double steep_error);
+                                    const DmsRayGrid& grid);
 
 }  // namespace veritope::internal

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -19,6 +20,7 @@ using internal::RayClip;
 using internal::RayCoordinate;
 using internal::RayNode;
 using internal::RayPlan;
+using internal::RaySpan;
 using internal::RayTerm;
 
 constexpr double kUnit = internal::kRayUnit;
@@ -27,6 +29,11 @@ constexpr std::size_t kMostMoments = kMaxDmsDegree + 1;
 // Part of a ray in the domain.
 struct RayPart {
   double begin = 0, end = 0;
+  double error = 0;  // of the end, and of the begin in one tetrahedron
+};
+// A bound of the part in one tetrahedron.
+struct RayEnd {
+  double t = 0, error = 0;
 };
 
 // Moments of a spline along the parts of a ray in the domain, integrals of s^k M dt: the exact ones differ from them by at
@@ -92,41 +99,52 @@ class RayCalculator {
   }
 
   // Where the ray is in the domain: unions of the parts in its tetrahedra. Neighbours have a bound in common, up to
-  // errors; gaps that errors can explain are closed. What is added or missing has at most the length part_error_.
+  // errors; gaps that the errors of both sides can explain are closed. What is added or missing lies near bounds of
+  // tetrahedra's parts, within twice the error of each, and has at most three times its length.
   bool find_parts(std::span<const RayPlan* const> plans, std::size_t column) {
     parts_.clear();
-    double most = 0;
+    ends_.clear();
     for (const RayPlan* plan : plans) {
       if (!has(*plan, column)) continue;
       move_to(*plan);
-      double begin = begin_, end = end_;
-      const RayClip clip = clip_ray(plan->cells[0], place_i_, place_j_, begin, end);
+      RaySpan span = whole_;
+      const RayClip clip = clip_ray(plan->cells[0], place_i_, place_j_, span);
       if (clip == RayClip::kUnsure) return false;
       if (clip == RayClip::kMiss) continue;
-      parts_.push_back({plan->centre + plan->radius * begin, plan->centre + plan->radius * end});
-      most = std::max(most, plan->radius * plan->cells[0].slack);
+      const RayPart part{plan->centre + plan->radius * span.begin,
+                         plan->centre + plan->radius * span.end,
+                         1.0000001 * (plan->radius * span.slack + 16 * kUnit)};
+      parts_.push_back(part);
+      ends_.push_back({part.begin, part.error});
+      ends_.push_back({part.end, part.error});
     }
-    most = 1.0000001 * (most + 16 * kUnit);
     std::sort(parts_.begin(), parts_.end(),
               [](const RayPart& a, const RayPart& b) { return a.begin < b.begin; });
-    part_error_ = 4 * most * static_cast<double>(parts_.size());
     std::size_t count = 0;
     for (const RayPart& part : parts_) {
-      if (count > 0 && part.begin <= parts_[count - 1].end + 2 * most)
-        parts_[count - 1].end = std::max(parts_[count - 1].end, part.end);
-      else
+      RayPart* const last = count > 0 ? &parts_[count - 1] : nullptr;
+      if (last == nullptr || part.begin > last->end + (last->error + part.error))
         parts_[count++] = part;
+      else if (last->end < part.end)
+        last->end = part.end, last->error = part.error;
     }
     parts_.resize(count);
     return true;
+  }
+  // What the domain's errors add to a part of the ray, from t = begin to t = end, at most.
+  double error_of_ends(double begin, double end) const {
+    double error = 0;
+    for (const RayEnd& e : ends_)
+      if (begin - 4 * e.error <= e.t && e.t <= end + 4 * e.error) error += 4 * e.error;
+    return error;
   }
 
   // Coordinates of the ray in the plan, and the plan's parameters of t = 0 and 1, cut to its knots.
   void move_to(const RayPlan& plan) {
     place_i_ = i_ - plan.centre_column;
     place_j_ = j_ - plan.centre_row;
-    begin_ = std::max(-1.0, -plan.centre / plan.radius);
-    end_ = std::min(1.0, (1 - plan.centre) / plan.radius);
+    whole_ = {std::max(-1.0, -plan.centre / plan.radius),
+              std::min(1.0, (1 - plan.centre) / plan.radius), 0};
   }
 
   bool add_plan(const RayPlan& plan) {
@@ -146,18 +164,23 @@ class RayCalculator {
 
   bool set_cell(const RayPlan& plan, const RayCell& cell, RayMoments& out) const {
     out.is_zero = true;
-    double begin = begin_, end = end_;
-    const RayClip clip = clip_ray(cell, place_i_, place_j_, begin, end);
+    RaySpan span = whole_;
+    const RayClip clip = clip_ray(cell, place_i_, place_j_, span);
     if (clip != RayClip::kHit) return clip == RayClip::kMiss;
-    const double slack = cell.slack + 1.0000001 * (part_error_ / plan.radius) + 16 * kUnit;
+    const double margin = plan.radius * span.slack;
+    const double slack = span.slack + 16 * kUnit +
+                         1.0000001 *
+                             error_of_ends(plan.centre + plan.radius * span.begin - margin,
+                                           plan.centre + plan.radius * span.end + margin) /
+                             plan.radius;
     double length = 0;
     for (const RayPart& part : parts_) {
       const double first = (part.begin - plan.centre) / plan.radius,
                    last = (part.end - plan.centre) / plan.radius;
-      if (first > end + slack || last < begin - slack) continue;
+      if (first > span.end + slack || last < span.begin - slack) continue;
       if (out.is_zero) out.at.fill(0);
       out.is_zero = false;
-      const double a = std::max(begin, first), b = std::max(a, std::min(end, last));
+      const double a = std::max(span.begin, first), b = std::max(a, std::min(span.end, last));
       length += b - a;
       double low = a, high = b;
       for (int k = 0; k <= degree_; ++k) {
@@ -234,9 +257,12 @@ class RayCalculator {
   std::vector<std::uint8_t> is_touched_;
   std::vector<std::uint32_t> touched_;
   std::vector<RayPart> parts_;
+  std::vector<RayEnd> ends_;  // of the parts in each tetrahedron
   std::vector<RayMoments> moments_;
-  double i_ = 0, j_ = 0, part_error_ = 0, error_ = 0, size_ = 0;
-  double place_i_ = 0, place_j_ = 0, begin_ = 0, end_ = 0;  // in the plan that is used
+  double i_ = 0, j_ = 0, error_ = 0, size_ = 0;
+  // In the plan that is used: the ray, and t from 0 to 1 cut to the plan's knots.
+  double place_i_ = 0, place_j_ = 0;
+  RaySpan whole_;
   std::size_t num_terms_ = 0;
 };
 
@@ -252,7 +278,7 @@ class DmsRayWeights::Body {
         integrator_(evaluator_) {
     VT_CHECK(grid.is_sound() && tolerance > 0, "a grid of rays, and a tolerance");
     const ScopedDefaultFp fp;
-    plans_ = internal::make_ray_plans(model, evaluator_, grid, 0x1p-10 * tolerance);
+    plans_ = internal::make_ray_plans(model, evaluator_, grid);
   }
 
   const DmsRayGrid& grid() const { return grid_; }
@@ -278,19 +304,21 @@ class DmsRayWeights::Body {
     return out;
   }
 
-  Range range(std::size_t control) const {
-    Range out{static_cast<std::uint32_t>(grid_.columns), 0, static_cast<std::uint32_t>(grid_.rows),
-              0};
+  std::vector<Range> ranges() const {
+    std::vector<Range> out(model_.num_control(),
+                           Range{std::numeric_limits<std::uint32_t>::max(), 0,
+                                 std::numeric_limits<std::uint32_t>::max(), 0});
     for (const RayPlan& plan : plans_)
-      for (const RayTerm& term : plan.terms) {
-        if (std::find(term.control.begin(), term.control.end(), control) == term.control.end())
-          continue;
-        out.first_column = std::min(out.first_column, plan.first_column);
-        out.end_column = std::max(out.end_column, plan.end_column);
-        out.first_row = std::min(out.first_row, plan.first_row);
-        out.end_row = std::max(out.end_row, plan.end_row);
-        break;
-      }
+      for (const RayTerm& term : plan.terms)
+        for (const std::uint32_t control : term.control) {
+          Range& r = out[control];
+          r.first_column = std::min(r.first_column, plan.first_column);
+          r.end_column = std::max(r.end_column, plan.end_column);
+          r.first_row = std::min(r.first_row, plan.first_row);
+          r.end_row = std::max(r.end_row, plan.end_row);
+        }
+    for (Range& r : out)
+      if (r.end_row == 0) r = {};
     return out;
   }
 
@@ -326,8 +354,6 @@ DmsRayWeights::~DmsRayWeights() = default;
 DmsRayWeights::DmsRayWeights(DmsRayWeights&&) noexcept = default;
 const DmsRayGrid& DmsRayWeights::grid() const { return body_->grid(); }
 DmsRayRow DmsRayWeights::row(std::size_t j) const { return body_->row(j); }
-DmsRayWeights::Range DmsRayWeights::range(std::size_t control) const {
-  return body_->range(control);
-}
+std::vector<DmsRayWeights::Range> DmsRayWeights::ranges() const { return body_->ranges(); }
 
 }  // namespace veritope

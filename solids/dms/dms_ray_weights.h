@@ -28,25 +28,26 @@ struct DmsRayRow {
 class DmsRayWeights {
  public:
   /// Rays whose error would be over `tolerance` are computed exactly; then only the rounding of weights is left.
-  static constexpr double kTolerance = 0x1p-24;
+  static constexpr double kTolerance = 0x1p-21;
 
   /// The model must outlive this object, which only reads its domain and its control points' vertices.
   /// REQUIRES grid.is_sound(), and what DmsEvaluator::evaluate does of the model; 0 < tolerance.
-  /// @cost some 50 us for each tetrahedron of a quadratic model
+  /// @cost some 0.2 ms for each tetrahedron of a quadratic model
   DmsRayWeights(const DmsModel& model, const DmsRayGrid& grid, double tolerance = kTolerance);
   ~DmsRayWeights();
   DmsRayWeights(DmsRayWeights&&) noexcept;
 
   const DmsRayGrid& grid() const;
   /// The order of threads has no influence. REQUIRES j < rows. Any number of threads may call it.
-  /// @cost some 10 us a ray through 25 quadratic tetrahedra; milliseconds for rays that rationals decide
+  /// @cost some 20 us a ray through 25 quadratic tetrahedra; some 20 ms for rays that rationals decide
   DmsRayRow row(std::size_t j) const;
 
-  /// The columns and rows, half-open, outside of which no ray has an entry for the control point.
+  /// Columns and rows, half-open, outside of which no ray has an entry for a control point.
   struct Range {
     std::uint32_t first_column = 0, end_column = 0, first_row = 0, end_row = 0;
   };
-  Range range(std::size_t control) const;
+  /// Of each control point.
+  std::vector<Range> ranges() const;
 
  private:
   class Body;

@@ -83,8 +83,8 @@ Rational formula_without_jumps(const std::vector<DmsPoint>& knots, const DmsPoin
   return integral(integral, all_of(knots.size()));
 }
 
-// PROVES THEORY-10
-TEST(SimplexLine, GivesTheTheorysExampleWhereKnotsAreDouble) {
+// The value that quadrature gives. The formula without jumps is wrong.
+TEST(SimplexLine, IsRightWhereAKnotIsDoubleAndTheFormulaWithoutJumpsIsNot) {
   const std::vector<DmsPoint> knots{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
   const DmsPoint x{ratio(1, 5), ratio(1, 10), ratio(-3, 10)}, d{0, ratio(1, 10), 1};
   const Rational exact = line_integral(knots, x, d, Rational(3));
@@ -127,7 +127,7 @@ Rational planar(const std::vector<std::array<Rational, 2>>& v, const std::array<
   return 0;
 }
 
-// PROVES THEORY-10B: a full line's integral is the projected spline, multiple and coplanar knots included.
+// A full line's integral is the projected spline, multiple and coplanar knots included.
 TEST(SimplexLine, AgreesWithTheProjectedSplineOnFullLines) {
   Random random(11);
   for (long round = 0; round < scaled(60); ++round) {
@@ -174,7 +174,7 @@ void expect_definition(std::uint64_t first, long models, int degree) {
 
 TEST(DmsLine, IsTheIntegralByItsDefinition) { expect_definition(1, 12, 2); }
 
-TEST(DmsLine, IsTheIntegralByItsDefinitionOfMoreModels) { expect_definition(1000, 60, 3); }
+TEST(DmsLine, IsTheIntegralByItsDefinitionOfMoreModels) { expect_definition(1000, 16, 3); }
 
 TEST(DmsLine, IsTheIntegralByItsDefinitionForSeparateControlPoints) {
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(scaled(8)); ++seed) {

@@ -41,7 +41,7 @@ class DmsEvalRun {
     report_.is_exact = options_.is_exact;
     report_.defects = find_dms_defects(file->model, kMaxListed);
     const bool is_sound = report_.defects.count == 0;
-    if (!is_sound) complain(harmless(refusal()));
+    if (!is_sound) complain(harmless(dms_refusal(options_.files[0], report_.defects)));
     if (is_sound)
       if (const Status status = evaluate(file->model); !status) return fail(status.error());
     report_.seconds = watch.lap();
@@ -61,14 +61,6 @@ class DmsEvalRun {
     const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, options_.json);
     if (!plan) return plan.error();
     return try_outputs(*plan, {options_.json});
-  }
-
-  std::string refusal() const {
-    const DmsDefect& first = report_.defects.first[0];
-    return options_.files[0] + ": " + fault_name(first.fault) + ": " + to_string(first) +
-           (report_.defects.count > 1
-                ? "; " + counted(report_.defects.count - 1, "more defect", "more defects")
-                : "");
   }
 
   Status evaluate(const DmsModel& model) {

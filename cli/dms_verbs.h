@@ -5,14 +5,22 @@
 
 #include "cli/commands.h"
 #include "io/read_model.h"
+#include "solids/dms/dms_defects.h"
 
 namespace veritope::cli {
 
 RunCommand declare_dms_eval(OptionSet& set);
 RunCommand declare_dms_make(OptionSet& set);
 RunCommand declare_dms_domain(OptionSet& set);
+RunCommand declare_dms_xray(OptionSet& set);
 
 /// Reads a model. @error as read_model_file, and kUnknownFormat for a file of another kind
 Result<DmsFile> read_dms_file(const std::string& path, ModelReadOptions reading);
+
+/// The component that has the name of an attribute. @error kBadArgument for another name
+Result<std::size_t> dms_component(const DmsModel& model, const std::string& attribute);
+
+/// Why a model is refused: its first defect, and how many more there are. REQUIRES a defect.
+std::string dms_refusal(const std::string& path, const DmsDefects& defects);
 
 }  // namespace veritope::cli

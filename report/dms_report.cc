@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "report/decimal_text.h"
+#include "report/dms_defects_json.h"
 #include "report/json_text.h"
 #include "robust/base/check.h"
 #include "verify/certify/certify.h"
@@ -51,7 +52,9 @@ std::string number_text(double x) {
   return {text.data(), end};
 }
 
-Json defects_json(const DmsDefects& defects) {
+}  // namespace
+
+Json dms_defects_json(const DmsDefects& defects) {
   Json out = Json::array();
   for (const DmsDefect& defect : defects.first) {
     Json one;
@@ -64,8 +67,6 @@ Json defects_json(const DmsDefects& defects) {
   return out;
 }
 
-}  // namespace
-
 std::string dms_eval_json(const DmsEvalReport& report) {
   Json out;
   out["schema"] = "veritope-dms-eval-1";
@@ -73,7 +74,7 @@ std::string dms_eval_json(const DmsEvalReport& report) {
   out["model"] = {{"path", report.path}, {"sha256", report.sha256}, {"bytes", report.bytes}};
   out["degree"] = report.degree;
   out["attributes"] = report.attributes;
-  out["defects"] = defects_json(report.defects);
+  out["defects"] = dms_defects_json(report.defects);
   out["seconds"] = seconds_json(report.seconds);
   std::string text = dump(out);
   text.pop_back();  // the brace

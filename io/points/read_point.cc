@@ -15,7 +15,7 @@ bool is_gap(char c) { return c == ' ' || c == '\t'; }
 bool is_mark(char c) { return c == ',' || c == ';'; }
 
 struct Split {
-  std::array<std::string_view, 3> tokens;
+  std::array<std::string_view, 6> tokens;
   std::size_t count = 0;    ///< of all tokens, also beyond those of a point
   std::size_t fault = 0;    ///< the column of a mark without a token before or after it; 0: none
   std::size_t surplus = 0;  ///< the column of the first token too many
@@ -96,6 +96,16 @@ bool is_heading(std::string_view line, const Split& parts) {
   return parts.count > 0 && parts.fault == 0;
 }
 
+std::string needs_text(std::size_t dimension) {
+  if (dimension == 6) return "a segment has six coordinates, three of each end";
+  return std::string("a point has ") + (dimension == 3 ? "three" : "two") + " coordinates";
+}
+
+Rational exact_number(std::variant<double, Rational> number) {
+  if (const double* const x = std::get_if<double>(&number)) return Rational::from_double(*x);
+  return std::get<Rational>(std::move(number));
+}
+
 }  // namespace
 
 PointLines::PointLines(Decimals decimals, const ReadLimits& limits, std::size_t dimension)
@@ -107,8 +117,7 @@ PointLines::PointLines(Decimals decimals, const ReadLimits& limits, std::size_t 
   exact_limits_.max_exponent = std::min(limits.max_exponent, kMostPointExponent);
 }
 
-bool PointLines::read_token(std::string_view token, std::variant<double, Rational>& value,
-                            std::string& why) const {
+bool PointLines::read_token(std::string_view token, Number& value, std::string& why) const {
   if (token.size() > kMostTokenBytes)
     return why = quoted(token) + " is longer than " + std::to_string(kMostTokenBytes) + " bytes",
            false;
@@ -137,18 +146,18 @@ bool PointLines::read_token(std::string_view token, std::variant<double, Rationa
   return true;
 }
 
-std::optional<ReadPoint> PointLines::read(std::string_view line, std::optional<PointFault>& fault) {
+std::optional<PointLines::Numbers> PointLines::read_numbers(std::string_view line,
+                                                            std::optional<PointFault>& fault) {
   const std::size_t start = line.find_first_not_of(" \t");
   if (start == line.npos || line[start] == '#') return std::nullopt;
   const bool is_first = std::exchange(is_first_, false);
   if (is_first && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
   const Split parts = split(line, dimension_);
   if (is_first && is_heading(line, parts)) return std::nullopt;
-  ReadPoint out;
-  std::array<std::variant<double, Rational>, 3> values;
+  Numbers out{parts.tokens, {}};
   for (std::size_t k = 0; k < std::min(parts.count, dimension_); ++k) {
     std::string why;
-    if (!read_token(parts.tokens[k], values[k], why) && !fault)
+    if (!read_token(parts.tokens[k], out.values[k], why) && !fault)
       fault = PointFault{static_cast<std::size_t>(parts.tokens[k].data() - line.data()) + 1,
                          std::move(why)};
   }
@@ -156,10 +165,17 @@ std::optional<ReadPoint> PointLines::read(std::string_view line, std::optional<P
     fault = PointFault{parts.fault, "a number is missing beside this mark"};
   if (!fault && parts.count != dimension_)
     fault = PointFault{parts.count > dimension_ ? parts.surplus : line.size() + 1,
-                       "a point has " + std::string(dimension_ == 3 ? "three" : "two") +
-                           " coordinates, but there are " + std::to_string(parts.count)};
+                       needs_text(dimension_) + ", but there are " + std::to_string(parts.count)};
   if (fault) return std::nullopt;
-  out.tokens = parts.tokens;
+  return out;
+}
+
+std::optional<ReadPoint> PointLines::read(std::string_view line, std::optional<PointFault>& fault) {
+  std::optional<Numbers> numbers = read_numbers(line, fault);
+  if (!numbers) return std::nullopt;
+  auto& values = numbers->values;
+  ReadPoint out;
+  std::copy_n(numbers->tokens.begin(), 3, out.tokens.begin());
   const auto is_double = [&](std::size_t k) { return std::holds_alternative<double>(values[k]); };
   if (is_double(0) && is_double(1) && is_double(2)) {
     out.point = Vec3d{std::get<double>(values[0]), std::get<double>(values[1]),
@@ -167,10 +183,18 @@ std::optional<ReadPoint> PointLines::read(std::string_view line, std::optional<P
     return out;
   }
   ExactPoint exact;
-  for (std::size_t k = 0; k < 3; ++k)
-    exact[k] = is_double(k) ? Rational::from_double(std::get<double>(values[k]))
-                            : std::move(std::get<Rational>(values[k]));
+  for (std::size_t k = 0; k < 3; ++k) exact[k] = exact_number(std::move(values[k]));
   out.point = std::move(exact);
+  return out;
+}
+
+std::optional<std::array<ExactPoint, 2>> PointLines::read_segment(
+    std::string_view line, std::optional<PointFault>& fault) {
+  std::optional<Numbers> numbers = read_numbers(line, fault);
+  if (!numbers) return std::nullopt;
+  std::array<ExactPoint, 2> out;
+  for (std::size_t k = 0; k < 6; ++k)
+    out[k / 3][k % 3] = exact_number(std::move(numbers->values[k]));
   return out;
 }
 

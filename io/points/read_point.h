@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// io/points/read_point.h: points from lines of text: three coordinates a line, or two.
+// io/points/read_point.h: points from lines of text: three coordinates a line, or two; and segments, six of them.
 #pragma once
 #include <array>
 #include <optional>
@@ -39,17 +39,26 @@ inline constexpr std::uint32_t kMostPointExponent = 4096;
 /// numbers are exact.
 class PointLines {
  public:
-  /// @param dimension  the number of coordinates of a point: 3, or 2 with z = 0
+  /// @param dimension  how many numbers a line has: 3, 2 for points with z = 0, or 6 for segments
   PointLines(Decimals decimals, const ReadLimits& limits, std::size_t dimension = 3);
 
   /// Nothing for a line without a point: empty, a comment after #, or a first line that consists of words. REQUIRES 8
   /// readable bytes after the line.
   /// @error the fault, in `fault`; then the result is empty, too
   std::optional<ReadPoint> read(std::string_view line, std::optional<PointFault>& fault);
+  /// The two ends of a segment, exactly, from six numbers. REQUIRES dimension 6.
+  std::optional<std::array<ExactPoint, 2>> read_segment(std::string_view line,
+                                                        std::optional<PointFault>& fault);
 
  private:
-  bool read_token(std::string_view token, std::variant<double, Rational>& value,
-                  std::string& why) const;
+  static constexpr std::size_t kMostNumbers = 6;
+  using Number = std::variant<double, Rational>;
+  struct Numbers {
+    std::array<std::string_view, kMostNumbers> tokens;
+    std::array<Number, kMostNumbers> values;
+  };
+  std::optional<Numbers> read_numbers(std::string_view line, std::optional<PointFault>& fault);
+  bool read_token(std::string_view token, Number& value, std::string& why) const;
 
   Decimals decimals_;
   std::size_t dimension_;

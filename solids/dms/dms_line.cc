@@ -10,7 +10,7 @@
 
 #include "interval/functions.h"
 #include "interval/upward.h"
-#include "solids/dms/dms_table_internal.h"
+#include "solids/dms/dms_table.h"
 #include "splines/dms_spline.h"
 #include "splines/simplex_line.h"
 

@@ -14,7 +14,7 @@
 #include "robust/base/check.h"
 #include "solids/dms/dms_knots.h"
 #include "solids/dms/dms_ray_plan_internal.h"
-#include "solids/dms/dms_table_internal.h"
+#include "solids/dms/dms_table.h"
 #include "splines/dms_spline.h"
 
 namespace veritope::internal {

@@ -83,6 +83,7 @@ def command_lines():
     yield ["dms", "make", "--help"]
     yield ["dms", "domain", "tests/cli/dms_points.txt", "-o", "d.vdms", "--hull"]
     yield ["dms", "domain", "--help"]
+    yield ["dms", "xray", "--help"]
     yield ["info", "tests/models/dms/tetrahedron.vdms"]
     yield ["classify", "e.json", "examples/sound_part.stl"]
     yield ["certify", "e.json"]

@@ -84,6 +84,26 @@ const SimplexFrame<Rational>* DmsTable::find_frame(const KnotSet& set) {
   return found;
 }
 
+DmsTable make_dms_table(const DmsModel& model, std::uint32_t tetrahedron,
+                        const std::vector<ExactPoint3>& all,
+                        const std::vector<std::size_t>& first_knot) {
+  DmsKnots knots;
+  std::array<const ExactPoint3*, 4 * kKnotsOfCorner> points{};
+  for (std::size_t m = 0; m < 4; ++m) {
+    const std::uint32_t v = model.tetrahedra[tetrahedron][m];
+    for (std::size_t i = 0; i <= kMaxDmsDegree; ++i) {
+      // A knot that is an earlier one of its cloud has its number.
+      std::size_t first = i < model.clouds[v].size() ? i : 0;
+      for (std::size_t k = 0; k < first; ++k)
+        if (model.clouds[v][k] == model.clouds[v][first]) first = k;
+      const std::size_t number = m * kKnotsOfCorner + first;
+      knots.number[m][i] = static_cast<KnotNumber>(number);
+      points[number] = &all[first_knot[v] + first];
+    }
+  }
+  return DmsTable(knots, points);
+}
+
 }  // namespace internal
 
 DmsEvaluator::DmsEvaluator(const DmsModel& model) : model_(model) {
@@ -153,21 +173,7 @@ internal::DmsTable& DmsEvaluator::table(std::uint32_t tetrahedron) {
 }
 
 internal::DmsTable DmsEvaluator::make_table(std::uint32_t tetrahedron) const {
-  DmsKnots knots;
-  std::array<const ExactPoint3*, 4 * internal::kKnotsOfCorner> points{};
-  for (std::size_t m = 0; m < 4; ++m) {
-    const std::uint32_t v = model_.tetrahedra[tetrahedron][m];
-    for (std::size_t i = 0; i <= kMaxDmsDegree; ++i) {
-      // A knot that is an earlier one of its cloud has its number.
-      std::size_t first = i < model_.clouds[v].size() ? i : 0;
-      for (std::size_t k = 0; k < first; ++k)
-        if (model_.clouds[v][k] == model_.clouds[v][first]) first = k;
-      const std::size_t number = m * internal::kKnotsOfCorner + first;
-      knots.number[m][i] = static_cast<KnotNumber>(number);
-      points[number] = &knots_[first_knot_[v] + first];
-    }
-  }
-  return {knots, points};
+  return internal::make_dms_table(model_, tetrahedron, knots_, first_knot_);
 }
 
 void DmsEvaluator::drop_tables_if_many() {

@@ -6,8 +6,10 @@
 #include <cstddef>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 #include "predicates/entry_path.h"
+#include "solids/dms/dms_model.h"
 #include "splines/dms_spline.h"
 
 namespace veritope::internal {
@@ -72,6 +74,11 @@ class DmsTable {
   std::unordered_map<std::uint32_t, std::optional<SimplexFrame<Rational>>> frames_;
   std::unordered_map<KnotSet, const SimplexFrame<Rational>*, KnotSetHash> chosen_;
 };
+
+/// The table of a tetrahedron. first_knot[v] is the place of t_0 of vertex v among the knots, which must outlive it.
+DmsTable make_dms_table(const DmsModel& model, std::uint32_t tetrahedron,
+                        const std::vector<ExactPoint3>& knots,
+                        const std::vector<std::size_t>& first_knot);
 
 /// The answers about one point, for SimplexSplines.
 class DmsAnswers {

@@ -9,8 +9,9 @@
 namespace veritope::cli {
 
 RunCommand declare_dms(OptionSet& set) {
-  std::array<RunCommand, 4> runs{
+  std::array<RunCommand, 5> runs{
       declare_dms_eval(set.verb("eval", "print the values of a simplex-spline solid at points")),
+      declare_dms_fit(set.verb("fit", "write a model that fits data over a domain")),
       declare_dms_make(set.verb("make", "write a model of a higher degree over a domain")),
       declare_dms_domain(set.verb("domain", "write a domain of tetrahedra from points or a mesh")),
       declare_dms_xray(set.verb("xray", "print exact integrals of an attribute along segments"))};

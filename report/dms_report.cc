@@ -54,19 +54,6 @@ std::string number_text(double x) {
 
 }  // namespace
 
-Json dms_defects_json(const DmsDefects& defects) {
-  Json out = Json::array();
-  for (const DmsDefect& defect : defects.first) {
-    Json one;
-    one["code"] = fault_name(defect.fault);
-    one["message"] = to_string(defect);
-    one["tetrahedra"] = defect.tetrahedra;
-    one["beta"] = defect.has_beta() ? Json(defect.beta) : Json(nullptr);
-    out.push_back(std::move(one));
-  }
-  return out;
-}
-
 std::string dms_eval_json(const DmsEvalReport& report) {
   Json out;
   out["schema"] = "veritope-dms-eval-1";

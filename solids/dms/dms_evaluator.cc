@@ -72,35 +72,34 @@ const SimplexFrame<Rational>* DmsTable::frame_of(const std::array<KnotNumber, 4>
 const SimplexFrame<Rational>* DmsTable::frame(const KnotSet& set) {
   const auto found = chosen_.find(set);
   if (found != chosen_.end()) return found->second;
-  return chosen_.emplace(set, find_frame(set)).first->second;
+  return chosen_
+      .emplace(set, choose_frame(set, [this](const auto& four) { return frame_of(four); }))
+      .first->second;
 }
 
-const SimplexFrame<Rational>* DmsTable::find_frame(const KnotSet& set) {
-  const SimplexFrame<Rational>* found = nullptr;
-  four_independent(set, [&](const auto& four) {
-    found = frame_of(four);
-    return found != nullptr;
-  });
-  return found;
+DmsKnots dms_knots(const DmsModel& model, std::uint32_t tetrahedron) {
+  DmsKnots knots;
+  for (std::size_t m = 0; m < 4; ++m) {
+    const DmsCloud& cloud = model.clouds[model.tetrahedra[tetrahedron][m]];
+    for (std::size_t i = 0; i <= kMaxDmsDegree; ++i) {
+      // A knot that is an earlier one of its cloud has its number.
+      std::size_t first = i < cloud.size() ? i : 0;
+      for (std::size_t k = 0; k < first; ++k)
+        if (cloud[k] == cloud[first]) first = k;
+      knots.number[m][i] = static_cast<KnotNumber>(m * kKnotsOfCorner + first);
+    }
+  }
+  return knots;
 }
 
 DmsTable make_dms_table(const DmsModel& model, std::uint32_t tetrahedron,
                         const std::vector<ExactPoint3>& all,
                         const std::vector<std::size_t>& first_knot) {
-  DmsKnots knots;
+  const DmsKnots knots = dms_knots(model, tetrahedron);
   std::array<const ExactPoint3*, 4 * kKnotsOfCorner> points{};
-  for (std::size_t m = 0; m < 4; ++m) {
-    const std::uint32_t v = model.tetrahedra[tetrahedron][m];
-    for (std::size_t i = 0; i <= kMaxDmsDegree; ++i) {
-      // A knot that is an earlier one of its cloud has its number.
-      std::size_t first = i < model.clouds[v].size() ? i : 0;
-      for (std::size_t k = 0; k < first; ++k)
-        if (model.clouds[v][k] == model.clouds[v][first]) first = k;
-      const std::size_t number = m * kKnotsOfCorner + first;
-      knots.number[m][i] = static_cast<KnotNumber>(number);
-      points[number] = &all[first_knot[v] + first];
-    }
-  }
+  for (std::size_t m = 0; m < 4; ++m)
+    for (const KnotNumber number : knots.number[m])
+      points[number] = &all[first_knot[model.tetrahedra[tetrahedron][m]] + number % kKnotsOfCorner];
   return DmsTable(knots, points);
 }
 

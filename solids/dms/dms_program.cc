@@ -2,6 +2,9 @@
 #include "solids/dms/dms_program.h"
 
 #include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -11,20 +14,66 @@
 namespace veritope {
 namespace {
 
-constexpr double kRelative = 0x1p-50, kLeastSize = 1e-100, kMostSize = 1e100;
+constexpr double kFlat = 1e-12;  // of d / longest edge^3
 
-template <Ring R>
+// The frames of a tetrahedron's knots in binary64.
+class RoundedTable {
+ public:
+  RoundedTable(const DmsModel& model, std::uint32_t tetrahedron)
+      : knots_(internal::dms_knots(model, tetrahedron)) {
+    for (std::size_t m = 0; m < 4; ++m)
+      for (const KnotNumber number : knots_.number[m]) {
+        const DmsPoint& p = model.knot(model.tetrahedra[tetrahedron][m],
+                                       static_cast<int>(number % internal::kKnotsOfCorner));
+        points_[number] = {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
+      }
+  }
+  const DmsKnots& knots() const { return knots_; }
+  const SimplexFrame<double>* frame(const KnotSet& set) {
+    return internal::choose_frame(set, [this](const auto& four) { return frame_of(four); });
+  }
+
+ private:
+  const SimplexFrame<double>* frame_of(const std::array<KnotNumber, 4>& four) {
+    const std::uint32_t key = static_cast<std::uint32_t>(four[0]) << 24 |
+                              static_cast<std::uint32_t>(four[1]) << 16 |
+                              static_cast<std::uint32_t>(four[2]) << 8 | four[3];
+    const auto [place, is_new] = frames_.try_emplace(key);
+    if (is_new) {
+      const std::array<std::array<double, 3>, 4> at{points_[four[0]], points_[four[1]],
+                                                    points_[four[2]], points_[four[3]]};
+      auto frame = simplex_frame<double>(four, at, Sign::kPositive);
+      double longest = 0;
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+          longest = std::max(longest, std::abs(at[i][c] - at[(i + 1) % 4][c]));
+      frame.height = std::abs(frame.height);
+      if (std::abs(frame.volume) > kFlat * longest * longest * longest) place->second = frame;
+    }
+    return place->second ? &*place->second : nullptr;
+  }
+
+  DmsKnots knots_;
+  std::array<std::array<double, 3>, 4 * internal::kKnotsOfCorner> points_{};
+  std::unordered_map<std::uint32_t, std::optional<SimplexFrame<double>>> frames_;
+};
+
+template <typename Table, Ring R>
 class ProgramBuilder {
  public:
-  ProgramBuilder(internal::DmsTable& table, DmsProgram<R>& program)
-      : table_(table), program_(program) {}
+  ProgramBuilder(Table& table, DmsProgram<R>& program) : table_(table), program_(program) {}
 
-  std::uint32_t frame(const SimplexFrame<Rational>& exact) {
+  template <typename Frame>
+  std::uint32_t frame(const Frame& of_table) {
     const auto [place, is_new] =
-        frames_.emplace(&exact, static_cast<std::uint32_t>(program_.frames.size()));
+        frames_.emplace(&of_table, static_cast<std::uint32_t>(program_.frames.size()));
     if (is_new) {
-      program_.frames.push_back(frame_in_ring<R>(exact));
-      program_.corners.push_back(table_.corners(exact));
+      if constexpr (std::same_as<Frame, SimplexFrame<R>>) {
+        program_.frames.push_back(of_table);
+      } else {
+        program_.frames.push_back(frame_in_ring<R>(of_table));
+        program_.corners.push_back(table_.corners(of_table));
+      }
     }
     return place->second;
   }
@@ -42,7 +91,7 @@ class ProgramBuilder {
   }
   // The node of a set, whose parts are nodes; nothing if it is flat.
   std::optional<typename DmsProgram<R>::Node> make(const KnotSet& set) {
-    const SimplexFrame<Rational>* const exact = table_.frame(set);
+    const auto* const exact = table_.frame(set);
     if (exact == nullptr) return std::nullopt;
     typename DmsProgram<R>::Node node;
     node.part.fill(DmsProgram<R>::kNone);
@@ -53,15 +102,15 @@ class ProgramBuilder {
   }
 
  private:
-  internal::DmsTable& table_;
+  Table& table_;
   DmsProgram<R>& program_;
-  std::unordered_map<const SimplexFrame<Rational>*, std::uint32_t> frames_;
+  std::unordered_map<const void*, std::uint32_t> frames_;
   std::unordered_map<KnotSet, std::uint32_t, KnotSetHash> nodes_;
 };
 
-template <Ring R>
-void build(internal::DmsTable& table, int n, bool with_doubled, DmsProgram<R>& program) {
-  ProgramBuilder<R> builder(table, program);
+template <typename Table, Ring R>
+void build(Table table, int n, bool with_doubled, DmsProgram<R>& program) {
+  ProgramBuilder<Table, R> builder(table, program);
   const DmsKnots& knots = table.knots();
   for_each_tetrahedral_index(n - 1, [&](const TetrahedralIndex& gamma) {
     const auto w = knots.tetrahedron(gamma);
@@ -85,25 +134,11 @@ void build(internal::DmsTable& table, int n, bool with_doubled, DmsProgram<R>& p
 
 }  // namespace
 
-Sign3 holds_by_filter(const SimplexFrame<double>& frame, const std::array<double, 3>& u) {
-  if (!(std::max({std::abs(u[0]), std::abs(u[1]), std::abs(u[2])}) <= kMostSize))
-    return Sign3::kUncertain;
-  bool is_inside = true;
-  for (const auto& l : frame.lambda) {
-    const double a = l[1] * u[0], b = l[2] * u[1], c = l[3] * u[2];
-    const double at = l[0] + a + b + c;
-    const double size = std::abs(l[0]) + std::abs(a) + std::abs(b) + std::abs(c);
-    if (!(size >= kLeastSize && size <= kMostSize)) return Sign3::kUncertain;
-    if (-at > kRelative * size) return Sign3::kNegative;
-    if (!(at > kRelative * size)) is_inside = false;
-  }
-  return is_inside ? Sign3::kPositive : Sign3::kUncertain;
-}
-
 template <Ring R>
 DmsPrograms<R>::DmsPrograms(const DmsModel& model, bool with_doubled)
     : model_(model), with_doubled_(with_doubled), programs_(model.tetrahedra.size()) {
   VT_CHECK(!model.control.is_separate, "programs are those of shared control points");
+  if constexpr (std::same_as<R, double>) return;
   for (const DmsCloud& cloud : model.clouds) {
     first_knot_.push_back(knots_.size());
     for (const DmsPoint& knot : cloud) knots_.emplace_back(knot);
@@ -117,9 +152,13 @@ template <Ring R>
 const DmsProgram<R>& DmsPrograms<R>::of(std::uint32_t tetrahedron) {
   auto& program = programs_[tetrahedron];
   if (program == nullptr) {
-    internal::DmsTable table = internal::make_dms_table(model_, tetrahedron, knots_, first_knot_);
     program = std::make_unique<DmsProgram<R>>();
-    build(table, model_.degree, with_doubled_, *program);
+    if constexpr (std::same_as<R, double>) {
+      build(RoundedTable(model_, tetrahedron), model_.degree, with_doubled_, *program);
+    } else {
+      build(internal::make_dms_table(model_, tetrahedron, knots_, first_knot_), model_.degree,
+            with_doubled_, *program);
+    }
   }
   return *program;
 }

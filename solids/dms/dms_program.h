@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/dms/dms_program.h: the recurrences of the basis functions of a tetrahedron ("The map" in
-// docs/formats/dms-files.md), laid out once, so that they can be run at many points, in binary64 or in intervals.
+// docs/formats/dms-files.md), laid out once, so that they can be run at many points: in intervals, which enclose, or
+// in binary64, which is approximate in all parts, the choice of independent knots included.
 #pragma once
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -11,7 +11,6 @@
 
 #include "interval/ring_numbers.h"
 #include "predicates/entry_path.h"
-#include "robust/base/sign.h"
 #include "solids/dms/dms_model.h"
 #include "splines/dms_spline.h"
 
@@ -39,7 +38,7 @@ struct DmsProgram {
     std::vector<Doubled> doubled;
   };
   std::vector<SimplexFrame<R>> frames;                     ///< the exact ones in the ring
-  std::vector<std::array<const ExactPoint3*, 4>> corners;  ///< of each frame
+  std::vector<std::array<const ExactPoint3*, 4>> corners;  ///< of each frame; empty in binary64
   std::vector<Node> nodes;            ///< parts come before what they are parts of
   std::vector<std::uint32_t> leaves;  ///< the nodes of four knots
   std::vector<Basis> basis;
@@ -53,7 +52,7 @@ struct DmsRun {
   std::vector<R> value;                       ///< of each node
 };
 
-/// Runs the program at u; contains(frame, barycentric coordinates) says which tetrahedra of four knots contain the point.
+/// Runs the program at u; contains(frame) says which tetrahedra of four knots contain the point.
 /// For intervals REQUIRES a live ScopedUpward.
 template <Ring R, typename Contains>
 void run_program(const DmsProgram<R>& program, const std::array<R, 3>& u, Contains contains,
@@ -64,13 +63,6 @@ template <Ring R>
 std::array<R, 3> program_gradient(const DmsProgram<R>& program, const DmsRun<R>& run,
                                   const typename DmsProgram<R>::Node& node, int degree);
 
-/// Whether the point with these barycentric coordinates is inside the tetrahedron of the frame: positive for yes,
-/// negative for no. Claim: an answer that is not uncertain holds for the exact frame and each point that rounds to u.
-/// Bound: each of the four terms of a coordinate has at most three relative errors of 2^-53, those of the number, of u
-/// and of the product, and the sum three more; 2^-50 times the sum of their sizes exceeds them and the error of that
-/// sum. Sizes are limited, so that numbers below the normal range matter less.
-Sign3 holds_by_filter(const SimplexFrame<double>& frame, const std::array<double, 3>& u);
-
 /// The programs of a model's tetrahedra, each laid out when it is needed first; so one thread at a time.
 template <Ring R>
 class DmsPrograms {
@@ -80,10 +72,9 @@ class DmsPrograms {
   DmsPrograms(const DmsModel& model, bool with_doubled);
   ~DmsPrograms();
 
-  /// @cost for the first time the exact frames of the sets, some 10 us each; for R = Interval REQUIRES a live
-  /// ScopedUpward
+  /// @cost for the first time the frames of the sets, for intervals exact ones, some 30 us each
+  /// For R = Interval REQUIRES a live ScopedUpward.
   const DmsProgram<R>& of(std::uint32_t tetrahedron);
-  const std::vector<ExactPoint3>& knots() const { return knots_; }
 
  private:
   const DmsModel& model_;

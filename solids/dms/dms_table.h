@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -47,6 +48,21 @@ std::optional<std::array<KnotNumber, 4>> four_independent(const KnotSet& set,
   return std::nullopt;
 }
 
+/// What frame_of makes of these four knots; null if it makes null of all quadruples.
+template <typename FrameOf>
+auto choose_frame(const KnotSet& set, FrameOf frame_of)
+    -> decltype(frame_of(std::array<KnotNumber, 4>{})) {
+  decltype(frame_of(std::array<KnotNumber, 4>{})) found = nullptr;
+  four_independent(set, [&](const auto& four) {
+    found = frame_of(four);
+    return found != nullptr;
+  });
+  return found;
+}
+
+/// The numbers of the knots of a tetrahedron.
+DmsKnots dms_knots(const DmsModel& model, std::uint32_t tetrahedron);
+
 /// The frames of all quadruples that were asked for; they do not depend on the point.
 class DmsTable {
  public:
@@ -55,7 +71,7 @@ class DmsTable {
       : knots_(knots), points_(points) {}
 
   const DmsKnots& knots() const { return knots_; }
-  /// Four affinely independent knots of the set, those of four_independent; null if the set has no such four.
+  /// Four affinely independent knots of the set, as choose_frame takes them; null if the set has no such four.
   const SimplexFrame<Rational>* frame(const KnotSet& set);
   std::size_t num_frames() const { return frames_.size(); }
   /// REQUIRES a number of the tetrahedron's knots.
@@ -67,7 +83,6 @@ class DmsTable {
 
  private:
   const SimplexFrame<Rational>* frame_of(const std::array<KnotNumber, 4>& four);
-  const SimplexFrame<Rational>* find_frame(const KnotSet& set);
 
   DmsKnots knots_;
   std::array<const ExactPoint3*, 4 * kKnotsOfCorner> points_;

@@ -90,14 +90,4 @@ void move_fit_points(const DmsModel& model, FitPoints& points) {
     points.tetrahedron[i] = walk.find(points.tetrahedron[i], points.at[i]);
 }
 
-EntryPath fit_path(const DmsModel& model, const FitPoints& points, std::size_t i) {
-  ExactPoint3 u(points.data->points[points.number[i]]);
-  if (!points.needs_target[i]) return EntryPath::along_axes(std::move(u));
-  DmsPoint mean;
-  for (const std::uint32_t v : model.tetrahedra[points.tetrahedron[i]])
-    for (std::size_t c = 0; c < 3; ++c) mean[c] += model.clouds[v][0][c];
-  for (Rational& c : mean) c /= Rational(4);
-  return EntryPath::inward(std::move(u), ExactPoint3(std::move(mean)));
-}
-
 }  // namespace veritope

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "predicates/entry_path.h"
 #include "solids/dms/fit/dms_data.h"
 
 namespace veritope {
@@ -32,8 +31,5 @@ FitPoints find_fit_points(const DmsModel& model, const DmsData& data);
 /// Finds tetrahedra again after these have changed, by walks from those that held the points before.
 /// REQUIRES the same domain as a set.
 void move_fit_points(const DmsModel& model, FitPoints& points);
-
-/// The path of rule H, for a model whose tetrahedron of the point is that of `points`.
-EntryPath fit_path(const DmsModel& model, const FitPoints& points, std::size_t i);
 
 }  // namespace veritope

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "solids/dms/dms_knots.h"
 
 namespace veritope {
 namespace {
+
+constexpr double kNear = 0x1p-30;  // a barycentric coordinate of a point near a face
+constexpr double kStep = 0x1p-20, kSmaller = 0x1p-8;
 
 bool has_open_cloud(const DmsModel& model, const TetrahedronCorners& t) {
   return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) {
@@ -88,6 +90,23 @@ FitBasis::FitBasis(const DmsModel& model, const FitControl& control, const FitPo
   open_ = BoxHierarchy(boxes);
 }
 
+// A point on the way into the domain that rule H takes, which lies on no plane where the point itself lies on some.
+std::array<double, 3> FitBasis::point_beside(std::size_t i) const {
+  std::array<double, 3> at = points_.at[i], middle{};
+  const TetrahedronCorners& t = model_.tetrahedra[points_.tetrahedron[i]];
+  for (const std::uint32_t v : t)
+    for (std::size_t c = 0; c < 3; ++c) middle[c] += nearest_double(model_.clouds[v][0][c]) / 4;
+  double size = 0, step = kStep;
+  for (std::size_t c = 0; c < 3; ++c)
+    size = std::max(size, std::abs(nearest_double(model_.clouds[t[0]][0][c]) - middle[c]));
+  if (points_.needs_target[i]) {
+    for (std::size_t c = 0; c < 3; ++c) at[c] += step * (middle[c] - points_.at[i][c]);
+    step *= kSmaller;
+  }
+  for (double& c : at) c += size * step, step *= kSmaller;
+  return at;
+}
+
 // visit(tetrahedron, program) after a run at point i, for all tetrahedra that have terms there, ascending.
 template <typename Visit>
 void FitBasis::visit_terms(std::size_t i, Visit visit) {
@@ -98,15 +117,17 @@ void FitBasis::visit_terms(std::size_t i, Visit visit) {
   open_.visit([&](const Box3d& box) { return meets(box, at); },
               [&](std::uint32_t k) { near.push_back(open_numbers_[k]); });
   std::sort(near.begin(), near.end());
-  std::optional<EntryPath> path;
+  const std::array<double, 3> beside = point_beside(i);
   for (const std::uint32_t t : near) {
     const DmsProgram<double>& program = programs_.of(t);
+    const auto least = [](const std::array<double, 4>& l) {
+      return std::min({l[0], l[1], l[2], l[3]});
+    };
     const auto contains = [&](std::uint32_t f) {
       if (!is_open_[t]) return true;
-      const Sign3 sign = holds_by_filter(program.frames[f], u);
-      if (sign != Sign3::kUncertain) return sign == Sign3::kPositive;
-      if (!path) path = fit_path(model_, points_, i);
-      return is_entered(program.corners[f], *path);
+      const double height = least(run_.barycentric[f]);
+      if (std::abs(height) > kNear) return height > 0;
+      return least(program.frames[f].barycentric(beside)) > 0;
     };
     run_program(program, u, contains, run_);
     visit(t, program);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "solids/base/box_hierarchy.h"
 #include "solids/dms/dms_program.h"
 #include "solids/dms/fit/fit_points.h"
 #include "solids/dms/fit/sparse_rows.h"
@@ -49,6 +50,7 @@ class FitBasis {
                                 std::size_t num_attributes);
 
  private:
+  std::array<double, 3> point_beside(std::size_t i) const;
   template <typename Visit>
   void visit_terms(std::size_t i, Visit visit);
 

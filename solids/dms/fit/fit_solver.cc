@@ -18,8 +18,8 @@ using Vectors = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
 constexpr double kSmoothness = 1e-9;  // of the weight of the data
-constexpr double kRidge = 1e-13;      // what neither data nor smoothness determine becomes small
-constexpr int kRefinements = 6;
+constexpr double kRidge = 1e-14;      // what neither data nor smoothness determine becomes small
+constexpr int kSmoothings = 4, kRefinements = 6;
 constexpr double kFlatPivot = 0x1p-34, kLift = 0x1p-44, kPartShare = 0x1p-12;
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
@@ -33,19 +33,20 @@ Matrix normal_matrix(const Rows& a) { return Matrix(a.transpose() * a); }
 
 double trace(const Matrix& m) { return m.diagonal().sum(); }
 
-// A^T A + a little of S^T S + a ridge.
-Matrix regular_matrix(const Matrix& normal, const SparseRows& s, std::size_t unknowns) {
-  Matrix out = normal;
-  const double size = std::max(trace(normal), 1e-300);
-  if (s.num_rows() > 0) {
-    const Matrix smooth = normal_matrix(matrix_of(s, unknowns));
-    const double most = trace(smooth);
-    if (most > 0) out += (kSmoothness * size / most) * smooth;
-  }
-  Matrix identity(index(unknowns), index(unknowns));
+// The rows' smoothness, scaled beside the data.
+Matrix smoothness_matrix(const Matrix& normal, const SparseRows& s) {
+  Matrix smooth(normal.rows(), normal.cols());
+  if (s.num_rows() == 0) return smooth;
+  smooth = normal_matrix(matrix_of(s, static_cast<std::size_t>(normal.cols())));
+  const double most = trace(smooth);
+  return most > 0 ? Matrix((kSmoothness * trace(normal) / most) * smooth) : smooth;
+}
+
+// What makes the other matrices regular.
+Matrix ridge(const Matrix& normal) {
+  Matrix identity(normal.rows(), normal.cols());
   identity.setIdentity();
-  out += (kRidge * size / static_cast<double>(unknowns)) * identity;
-  return out;
+  return std::max(kRidge * trace(normal) / static_cast<double>(normal.cols()), 1e-300) * identity;
 }
 
 }  // namespace
@@ -54,13 +55,17 @@ std::vector<double> solve_least_squares(const SparseRows& a, const SparseRows& s
                                         std::size_t num_unknowns, std::span<const double> b,
                                         std::size_t num_rhs) {
   const Rows rows = matrix_of(a, num_unknowns);
-  const Eigen::SimplicialLDLT<Matrix> factors(regular_matrix(normal_matrix(rows), s, num_unknowns));
+  const Matrix normal = normal_matrix(rows), smooth = smoothness_matrix(normal, s);
+  const Eigen::SimplicialLDLT<Matrix> factors(Matrix(normal + smooth + ridge(normal)));
   VT_CHECK(factors.info() == Eigen::Success, "a positive definite matrix has a factorisation");
   using RowVectors = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Vectors wanted =
       Eigen::Map<const RowVectors>(b.data(), index(a.num_rows()), index(num_rhs));
   Vectors x = factors.solve(Vectors(rows.transpose() * wanted));
-  // What the data determine converges to their least squares; the rest stays as smooth as it is.
+  // First what the ridge did is undone. Then what the data determine converges to their least squares;
+  // the rest stays as smooth as it is.
+  for (int i = 0; i < kSmoothings; ++i)
+    x += factors.solve(Vectors(rows.transpose() * (wanted - rows * x) - smooth * x));
   for (int i = 0; i < kRefinements; ++i)
     x += factors.solve(Vectors(rows.transpose() * (wanted - rows * x)));
   std::vector<double> out(num_unknowns * num_rhs);
@@ -72,7 +77,7 @@ std::vector<double> solve_damped(const SparseRows& a, const SparseRows& s,
                                  std::span<const double> damping, std::span<const double> b) {
   const Rows rows = matrix_of(a, damping.size());
   const Matrix normal = normal_matrix(rows);
-  Matrix matrix = regular_matrix(normal, s, damping.size());
+  Matrix matrix = normal + smoothness_matrix(normal, s) + ridge(normal);
   for (std::size_t i = 0; i < damping.size(); ++i)
     matrix.coeffRef(index(i), index(i)) += damping[i] * normal.coeff(index(i), index(i));
   const Eigen::SimplicialLDLT<Matrix> factors(matrix);

@@ -53,7 +53,8 @@ inline double layer_value(const Place& p) {
   return 0.5 + 0.5 * std::tanh(25 * (0.3 - r));
 }
 inline DmsData layer_data() {
-  return draw_data(15832, 1, [](Place&) { return true; }, layer_value);
+  return draw_data(
+      15832, 1, [](Place&) { return true; }, layer_value);
 }
 inline DmsModel cube_domain(int cells) {
   DmsModel domain = kuhn_domain({cells, cells, cells});
@@ -84,9 +85,8 @@ inline DmsData cross_data() {
 }
 /// @param conforms  whether the plane x = y is a union of faces; else x = -y is one
 inline DmsModel cross_domain(bool conforms) {
-  DmsModel domain = kuhn_domain({3, 3, 3}, [](int x, int y, int z) {
-    return (x == 1) + (y == 1) + (z == 1) >= 2;
-  });
+  DmsModel domain = kuhn_domain(
+      {3, 3, 3}, [](int x, int y, int z) { return (x == 1) + (y == 1) + (z == 1) >= 2; });
   for (DmsCloud& cloud : domain.clouds)
     for (Rational& c : cloud[0]) c = Rational(2) * c / Rational(3) - Rational(1);
   if (!conforms) {

@@ -7,6 +7,7 @@
 
 #include "solids/dms/dms_admissible.h"
 #include "solids/dms/fit/fit_constraint.h"
+#include "solids/dms/fit/fit_shape.h"
 #include "solids/dms/fit/fit_solver.h"
 
 namespace veritope {
@@ -33,18 +34,6 @@ double distance(const DmsPoint& a, const DmsPoint& b) {
     sum += d * d;
   }
   return std::sqrt(sum);
-}
-
-// Approximate; zero for a reversed tetrahedron.
-double shape_of(const DmsModel& model, const TetrahedronCorners& t) {
-  std::array<DmsPoint, 4> p;
-  for (std::size_t m = 0; m < 4; ++m) p[m] = model.clouds[t[m]][0];
-  double longest = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j) longest = std::max(longest, distance(p[i], p[j]));
-  const double d = nearest_double(dot_product(
-      difference(p[1], p[0]), cross_product(difference(p[2], p[0]), difference(p[3], p[0]))));
-  return std::max(0.0, d / (longest * longest * longest));
 }
 
 class KnotStep {
@@ -193,13 +182,22 @@ class KnotStep {
     const auto is_moved = [&](std::uint32_t v) {
       return model.clouds[v] != state_.model.clouds[v];
     };
-    const DmsAdmissibility admissibility(model);
+    const RoundedKnots now(model), before(state_.model);
+    std::vector<std::uint32_t> doubtful;
+    bool is_good = true;
     for (std::uint32_t t = 0; t < model.tetrahedra.size(); ++t) {
       const TetrahedronCorners& corners = model.tetrahedra[t];
       if (std::none_of(corners.begin(), corners.end(), is_moved)) continue;
-      const double least = std::min(kLeastShape, shape_of(state_.model, corners));
-      if (!(shape_of(model, corners) >= least) || !admissibility.has_core(t)) add(corners);
+      doubtful.push_back(t);
+      const double least = std::min(kLeastShape, before.shape(corners));
+      if (now.shape(corners) >= least && now.has_core(corners)) continue;
+      add(corners);
+      is_good = false;
     }
+    if (!is_good) return bad;
+    const DmsAdmissibility admissibility(model);
+    for (const std::uint32_t t : doubtful)
+      if (!admissibility.has_core(t)) add(model.tetrahedra[t]);
     for (const TetrahedronFace f : complex_.boundary())
       if (!admissibility.misses_inside(f)) add(complex_.vertices(f));
     return bad;

@@ -78,6 +78,8 @@ FitPoints find_fit_points(const DmsModel& model, const DmsData& data) {
     }
     out.number.push_back(i);
     out.at.push_back({nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])});
+    for (std::size_t a = 0; a < data.num_attributes; ++a)
+      out.values.push_back(nearest_double(data.value(i, a)));
     out.tetrahedron.push_back(place->tetrahedron);
     out.needs_target.push_back(place->path.target().has_value());
   }

@@ -15,14 +15,12 @@ struct FitPoints {
   const DmsData* data = nullptr;
   std::vector<std::size_t> number;         ///< of the points in the data, ascending
   std::vector<std::array<double, 3>> at;   ///< rounded
+  std::vector<double> values;              ///< of the attributes, rounded
   std::vector<std::uint32_t> tetrahedron;  ///< that holds the point, up to rounding
   std::vector<bool> needs_target;          ///< rule H does not enter the domain along the axes
   std::vector<std::size_t> outside;        ///< numbers of points outside of the closed domain
 
   std::size_t size() const { return number.size(); }
-  double value(std::size_t i, std::size_t attribute) const {
-    return nearest_double(data->value(number[i], attribute));
-  }
 };
 
 /// Rule H decides which points are in the closed domain of the model. The data must outlive the result.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "solids/dms/dms_knots.h"
@@ -26,6 +27,18 @@ Box3d knot_box(const DmsModel& model, const TetrahedronCorners& t) {
   for (const std::uint32_t v : t)
     knots.insert(knots.end(), model.clouds[v].begin(), model.clouds[v].end());
   return box_around(knots);
+}
+
+// The mean of the corners, and how far a corner is from it.
+std::pair<std::array<double, 3>, double> centre_of(const DmsModel& model,
+                                                   const TetrahedronCorners& t) {
+  std::array<double, 3> middle{};
+  for (const std::uint32_t v : t)
+    for (std::size_t c = 0; c < 3; ++c) middle[c] += nearest_double(model.clouds[v][0][c]) / 4;
+  double size = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    size = std::max(size, std::abs(nearest_double(model.clouds[t[0]][0][c]) - middle[c]));
+  return {middle, size};
 }
 
 // The slope, an axis a row, of the affine map from W_γ to control points, as sums over the four.
@@ -88,17 +101,15 @@ FitBasis::FitBasis(const DmsModel& model, const FitControl& control, const FitPo
     boxes.push_back(knot_box(model, model.tetrahedra[t]));
   }
   open_ = BoxHierarchy(boxes);
+  if (boxes.empty()) return;
+  for (const TetrahedronCorners& t : model.tetrahedra) centres_.push_back(centre_of(model, t));
 }
 
 // A point on the way into the domain that rule H takes, which lies on no plane where the point itself lies on some.
 std::array<double, 3> FitBasis::point_beside(std::size_t i) const {
-  std::array<double, 3> at = points_.at[i], middle{};
-  const TetrahedronCorners& t = model_.tetrahedra[points_.tetrahedron[i]];
-  for (const std::uint32_t v : t)
-    for (std::size_t c = 0; c < 3; ++c) middle[c] += nearest_double(model_.clouds[v][0][c]) / 4;
-  double size = 0, step = kStep;
-  for (std::size_t c = 0; c < 3; ++c)
-    size = std::max(size, std::abs(nearest_double(model_.clouds[t[0]][0][c]) - middle[c]));
+  std::array<double, 3> at = points_.at[i];
+  const auto& [middle, size] = centres_[points_.tetrahedron[i]];
+  double step = kStep;
   if (points_.needs_target[i]) {
     for (std::size_t c = 0; c < 3; ++c) at[c] += step * (middle[c] - points_.at[i][c]);
     step *= kSmaller;
@@ -117,7 +128,7 @@ void FitBasis::visit_terms(std::size_t i, Visit visit) {
   open_.visit([&](const Box3d& box) { return meets(box, at); },
               [&](std::uint32_t k) { near.push_back(open_numbers_[k]); });
   std::sort(near.begin(), near.end());
-  const std::array<double, 3> beside = point_beside(i);
+  std::optional<std::array<double, 3>> beside;
   for (const std::uint32_t t : near) {
     const DmsProgram<double>& program = programs_.of(t);
     const auto least = [](const std::array<double, 4>& l) {
@@ -127,7 +138,8 @@ void FitBasis::visit_terms(std::size_t i, Visit visit) {
       if (!is_open_[t]) return true;
       const double height = least(run_.barycentric[f]);
       if (std::abs(height) > kNear) return height > 0;
-      return least(program.frames[f].barycentric(beside)) > 0;
+      if (!beside) beside = point_beside(i);
+      return least(program.frames[f].barycentric(*beside)) > 0;
     };
     run_program(program, u, contains, run_);
     visit(t, program);

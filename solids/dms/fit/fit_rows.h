@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "solids/base/box_hierarchy.h"
@@ -58,6 +59,7 @@ class FitBasis {
   const FitControl& control_;
   const FitPoints& points_;
   DmsPrograms<double> programs_;
+  std::vector<std::pair<std::array<double, 3>, double>> centres_;  // if a tetrahedron is open
   std::vector<bool> is_open_;  // whether a cloud of the tetrahedron is not collapsed
   BoxHierarchy open_;
   std::vector<std::uint32_t> open_numbers_;

@@ -38,17 +38,14 @@ void refit(FitState& state) {
                       std::vector<Rational>(model.clouds.size() * attributes));
   state.control = fit_control(model);
   const SparseRows rows = FitBasis(model, state.control, state.points, false).rows();
-  std::vector<double> wanted;
-  for (std::size_t i = 0; i < state.points.size(); ++i)
-    for (std::size_t a = 0; a < attributes; ++a) wanted.push_back(state.points.value(i, a));
   state.values = solve_least_squares(rows, smoothness_rows(model, state.control),
-                                     state.control.count, wanted, attributes);
+                                     state.control.count, state.points.values, attributes);
   const std::size_t components = model.num_components();
   for (std::size_t c = 0; c < state.control.count; ++c)
     for (std::size_t a = 0; a < attributes; ++a)
       model.control.values[c * components + 3 + a] =
           Rational::from_double(state.values[c * attributes + a]);
-  state.residuals = std::move(wanted);
+  state.residuals = state.points.values;
   state.square_sum = 0;
   for (std::size_t i = 0; i < state.points.size(); ++i)
     for (int k = rows.first[i]; k < rows.first[i + 1]; ++k) {

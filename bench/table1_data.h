@@ -6,16 +6,19 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <vector>
 
 #include "robust/base/random.h"
 #include "solids/dms/dms_make.h"
+#include "solids/dms/dms_region.h"
 #include "solids/dms/fit/dms_data.h"
 #include "tests/support/random_dms.h"
 
 namespace veritope::bench {
 
 using Place = std::array<double, 3>;
+
+inline Rational ratio_of(long p, long q) { return Rational(p) / Rational(q); }
 
 inline Place draw_place(Random& random) {
   constexpr std::int64_t kSteps = std::int64_t{1} << 30;
@@ -40,8 +43,20 @@ DmsData draw_data(std::size_t count, std::uint64_t seed, Map map, Value value) {
   return data;
 }
 
-/// A domain as dms fit wants it: degree 1, the identity.
-inline DmsModel identity_on(DmsModel domain) {
+/// A domain as dms fit wants it: degree 1, the identity, without vertices that no tetrahedron has.
+inline DmsModel identity_on(const DmsModel& grid) {
+  DmsModel domain;
+  std::vector<std::uint32_t> number(grid.clouds.size());
+  for (TetrahedronCorners t : grid.tetrahedra) {
+    for (std::uint32_t& v : t) {
+      if (number[v] == 0) {
+        domain.clouds.push_back(grid.clouds[v]);
+        number[v] = static_cast<std::uint32_t>(domain.clouds.size());
+      }
+      v = number[v] - 1;
+    }
+    domain.tetrahedra.push_back(t);
+  }
   set_control_by_rule(domain, DmsControlRule::kGreville, {});
   return domain;
 }
@@ -60,15 +75,17 @@ inline DmsModel cube_domain(int cells) {
   DmsModel domain = kuhn_domain({cells, cells, cells});
   for (DmsCloud& cloud : domain.clouds)
     for (Rational& c : cloud[0]) c /= Rational(cells);
-  return identity_on(std::move(domain));
+  return identity_on(domain);
 }
 
-// ---- a cross of three bars, with a kink on the plane x = y
+// ---- a cross of three bars, with a kink on the plane z = x / 5 + y / 10
 
+inline DmsPlane cross_plane() { return {{ratio_of(-1, 5), ratio_of(-1, 10), Rational(1)}, 0}; }
 inline double cross_value(const Place& p) {
-  return 0.4 + 0.3 * std::abs(p[0] - p[1]) + 0.1 * std::sin(2 * p[0] + p[2]) * std::cos(p[1]);
+  return 0.4 + 0.3 * std::abs(p[2] - p[0] / 5 - p[1] / 10) +
+         0.1 * std::sin(2 * p[0] + p[2]) * std::cos(p[1]);
 }
-/// Bars of width 1/3 along the axes of the cube [-1,1]^3.
+/// Bars of width 2/3 along the axes of the cube [-1,1]^3.
 inline bool is_in_cross(const Place& p) {
   int narrow = 0;
   for (const double c : p) narrow += std::abs(c) <= 1.0 / 3;
@@ -83,17 +100,18 @@ inline DmsData cross_data() {
       },
       cross_value);
 }
-/// @param conforms  whether the plane x = y is a union of faces; else x = -y is one
+/// @param conforms  whether the plane is a union of faces: vertices of the plane z = 0 are moved along z
 inline DmsModel cross_domain(bool conforms) {
-  DmsModel domain = kuhn_domain(
-      {3, 3, 3}, [](int x, int y, int z) { return (x == 1) + (y == 1) + (z == 1) >= 2; });
-  for (DmsCloud& cloud : domain.clouds)
-    for (Rational& c : cloud[0]) c = Rational(2) * c / Rational(3) - Rational(1);
-  if (!conforms) {
-    for (DmsCloud& cloud : domain.clouds) cloud[0][0] = -cloud[0][0];
-    for (TetrahedronCorners& t : domain.tetrahedra) std::swap(t[2], t[3]);
+  const auto is_middle = [](int i) { return i == 2 || i == 3; };
+  DmsModel domain = kuhn_domain({6, 6, 6}, [&](int x, int y, int z) {
+    return is_middle(x) + is_middle(y) + is_middle(z) >= 2;
+  });
+  for (DmsCloud& cloud : domain.clouds) {
+    for (Rational& c : cloud[0]) c = c / Rational(3) - Rational(1);
+    if (conforms && cloud[0][2] == Rational(0))
+      cloud[0][2] = cloud[0][0] * ratio_of(1, 5) + cloud[0][1] * ratio_of(1, 10);
   }
-  return identity_on(std::move(domain));
+  return identity_on(domain);
 }
 
 // ---- a curved part: half a ring
@@ -128,7 +146,7 @@ inline DmsModel ring_domain(int around, int across, int up) {
                 is_end ? Rational(0) : Rational::from_double(radius * std::sin(angle)),
                 cloud[0][2] * Rational::from_double(kHeight) / Rational(up)};
   }
-  return identity_on(std::move(domain));
+  return identity_on(domain);
 }
 
 }  // namespace veritope::bench

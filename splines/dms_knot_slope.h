@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // splines/dms_knot_slope.h: the derivative of a DMS spline with respect to a knot, in the form of degree n - 1.
-// Source: [HHQ04] eq. 11, which is printed for the form of degree n and takes only one part of the derivative of a basis
-// function: it holds where eq. 6 holds. This is the derivative of the terms themselves (docs/formats/dms-files.md).
+// Source: [HHQ04] eq. 11, which is printed for the form of degree n, so that it holds only where eq. 6 holds. This is
+// the derivative of the terms of docs/formats/dms-files.md themselves.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -16,8 +16,8 @@ namespace veritope {
 ///   - 1/n sum over γ_p >= l of d(W_γ) L_γ(u) DM(u | V_γ and t_l once more)
 ///   + sum over γ_p = l of N_γ(u) (μ_p L_γ(u) - λ_p(u) G_γ / n),
 /// p the corner, l the index, t_l the knot, |γ| = n - 1, L_γ = the sum of λ_m c(γ + e_m), G_γ / n its linear part, and
-/// μ_p(v) the coordinate of a direction. The derivative is one-sided where M is not differentiable. Knots that are equal
-/// have derivatives of their own; that of a point that they share is their sum.
+/// μ_p(v) the coordinate of a direction. The derivative is one-sided where M is not differentiable. Equal knots have
+/// derivatives of their own; that of a point that they share is their sum.
 /// REQUIRES 1 <= n <= kMaxDmsDegree, 0 <= index < n, and as add_dms_terms. sums: one row for each component.
 template <Ring R, typename Answers, typename Control>
 void add_dms_knot_slope(SimplexSplines<R, Answers>& splines, const DmsKnots& knots, int n,

@@ -12,8 +12,8 @@
 
 namespace veritope {
 
-/// Reads the lines of one file. Numbers are decimals, hexadecimal numbers or fractions, all exact, separated as those of
-/// PointLines. The first row says how many each has.
+/// Reads the lines of one file. Numbers are decimals, hexadecimal numbers or fractions, all exact, separated as those
+/// of PointLines. The first row says how many each has.
 class RowLines {
  public:
   /// REQUIRES 1 <= least <= most.

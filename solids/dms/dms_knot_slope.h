@@ -16,8 +16,8 @@ class DmsKnotSlopes {
   /// The model must outlive this object. REQUIRES a model without defects and with shared control points.
   explicit DmsKnotSlopes(const DmsModel& model);
 
-  /// For x, y, z and each attribute the derivatives, at the point of the place, along the axes of a move of knot `index`
-  /// of the vertex. REQUIRES 0 <= index < degree. @cost that of an exact evaluation
+  /// For x, y, z and each attribute the derivatives, at the point of the place, along the axes of a move of knot
+  /// `index` of the vertex. REQUIRES 0 <= index < degree. @cost that of an exact evaluation
   std::vector<std::array<Rational, 3>> slope(const DmsPlace& place, std::uint32_t vertex,
                                              int index);
 

@@ -14,7 +14,7 @@ namespace veritope {
 namespace {
 
 constexpr int kTries = 5;              // of one step, with more damping each time
-constexpr int kMaxHalvings = 6;        // of a vertex' step, before it is none
+constexpr int kMaxHalvings = 6;        // of a vertex' step, before it is zero
 constexpr double kLeastGain = 2e-3;    // of the squares, for a step to be followed by another
 constexpr double kLeastShare = 0.02;   // of the mean error at a vertex, for its knots to move
 constexpr double kLeastShape = 0.004;  // d / longest edge^3; a regular tetrahedron has 0.71

@@ -15,9 +15,9 @@ enum class FitKnots {
   kClouds,    ///< each knot moves by itself
 };
 
-/// Moves knots until the errors do not become less, at most `most_steps` times. The domain stays the same set, planes of
-/// features stay unions of faces, the conditions (a), (b) and (c) hold by the tests of dms_admissible.h, and no knot is
-/// nearer to the first one of its cloud than 1/256 of the vertex' shortest edge, unless it is equal to it.
+/// Moves knots until the errors do not become less, at most `most_steps` times. The domain stays the same set, and
+/// planes of features stay unions of faces. The conditions (a), (b) and (c) hold by the tests of dms_admissible.h. No
+/// knot is nearer to the first one of its cloud than 1/256 of the vertex' shortest edge, unless it is equal to it.
 /// Returns whether the errors became less. REQUIRES a state after refit().
 bool improve_knots(FitState& state, FitKnots knots, std::span<const DmsPlane> features,
                    int most_steps);

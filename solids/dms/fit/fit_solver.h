@@ -21,8 +21,8 @@ std::vector<double> solve_least_squares(const SparseRows& a, const SparseRows& s
 std::vector<double> solve_damped(const SparseRows& a, const SparseRows& s,
                                  std::span<const double> damping, std::span<const double> b);
 
-/// The unknowns that the rows do not determine, ascending: those that take part in a change of the unknowns, one of them
-/// by 1 in units in which each column of A has norm 1, that changes A x by less than 2^-17.
+/// The unknowns that the rows do not determine, ascending: those that take part in a change of the unknowns, one of
+/// them by 1 in units in which each column of A has norm 1, that changes A x by less than 2^-17.
 std::vector<std::uint32_t> find_undetermined(const SparseRows& a, std::size_t num_unknowns);
 
 }  // namespace veritope

@@ -19,7 +19,7 @@ class Rows {
     if (fault) return std::to_string(fault->column) + ": " + fault->message;
     if (!row) return "none";
     std::string text;
-    for (const Rational& x : *row) text += (text.empty() ? "" : " ") + to_string(x);
+    for (const Rational& x : *row) text += (text.empty() ? "" : " ") + x.to_string();
     return text;
   }
 

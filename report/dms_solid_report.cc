@@ -3,6 +3,7 @@
 // certificate that is not proved.
 #include <algorithm>
 
+#include "interval/numeric.h"
 #include "report/decimal_text.h"
 #include "report/patch_report_internal.h"
 #include "report/report_kinds_internal.h"

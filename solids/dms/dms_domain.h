@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "predicates/exact_point.h"
 #include "solids/dms/dms_model.h"
 
 namespace veritope {

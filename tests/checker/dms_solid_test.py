@@ -103,13 +103,16 @@ class Honest(Case):
                 self.judged("ACCEPT", forged)
 
 
-class NotCertified(Case):
-    def test_what_is_no_solid_has_no_certificate(self):
-        for data, word in ((block(warp=mirrored), "J"), (block(2, (2, 2, 2), warp=lambda p: [p[0] * (3 - p[0]), p[1], p[2]]), "J")):
-            said, proof = certified(data)
-            self.assertIsNone(proof)
-            self.assertIn("UNDECIDED", said)
-            self.assertIn(word + ":", said)
+class Refuted(Case):
+    def test_what_is_no_solid_is_invalid(self):
+        for data in block(warp=mirrored), block(2, (2, 2, 2), warp=lambda p: [p[0] * (3 - p[0]), p[1], p[2]]):
+            with tempfile.TemporaryDirectory() as folder:
+                path = pathlib.Path(folder, "m.vdms")
+                path.write_bytes(data)
+                done = subprocess.run([os.environ["VERITOPE"], "certify", path, "--no-check"], capture_output=True, text=True, check=False,
+                                      timeout=600)
+                self.assertEqual(done.returncode, 1, done)
+                self.assertIn("jacobian: the determinant of the derivative is below 0 at (", done.stdout)
 
 
 class Lies(Case):

@@ -24,6 +24,7 @@ foreach(part IN ITEMS inside sweeps patches)
 endforeach()
 veritope_judges_test(dms_solid dms_solid standard)
 veritope_judges_test(dms_invalid dms_invalid standard)
+veritope_judges_test(dms_refuted dms_refuted standard)
 set_property(TEST checker_cpp_micro_cpp checker_cpp_micro_inside_cpp checker_cpp_micro_sweeps_cpp checker_cpp_micro_patches_cpp
              checker_cpp_dms_solid APPEND PROPERTY ENVIRONMENT "VERITOPE=$<TARGET_FILE:veritope>")
 veritope_judges_test(real_models mesh_real_models standard)

@@ -8,11 +8,15 @@ import math
 import pathlib
 import random
 import re
+import sys
 import unittest
 from fractions import Fraction as F
 
 import schema
 from support import MODELS, ROOT, Folder, run
+
+sys.path[:0] = [str(ROOT / "tests" / "support")]
+import dms_defective                                      # noqa: E402
 
 DOMAIN, TETRAHEDRON = MODELS / "dms" / "domain.vdms", MODELS / "dms" / "tetrahedron.vdms"
 
@@ -224,24 +228,36 @@ class Dms(Folder):
         self.assertEqual(done.returncode, 2)
         self.assertIn("does not end in vdms", " ".join(done.stderr.split()))
 
-    def test_certify_proves_a_solid_and_names_a_point_where_a_map_is_reversed(self):
-        folded = self.folder / "folded.vdms"
-        folded.write_text(TETRAHEDRON.read_text().replace('"value": ["0", "0", "1", "0"]', '"value": ["0", "0", "-5", "0"]'))
+    def test_certify_proves_a_solid_and_a_fold(self):
+        folded = MODELS / "dms" / "folded.vdms"
         done = run("certify", TETRAHEDRON, folded, "--json", self.folder / "r.json")
-        self.assertEqual(done.returncode, 3, done)
+        self.assertEqual(done.returncode, 1, done)
         self.assertIn("1 body, genus 0, volume about 0.166667 (checked)", done.stdout)
         self.assertIn("  proof        1 leaf, 4 patches of the surface", done.stdout)
+        self.assertIn("jacobian: the determinant of the derivative is below 0 at (", " ".join(done.stdout.split()))
         document = json.loads((self.folder / "r.json").read_text())
         self.assertEqual(schema.faults(document), [])
-        valid, open_one = document["files"]
+        valid, bad = document["files"]
         self.assertEqual(list(valid), schema.keys_of("dms_file"))
-        self.assertEqual((valid["verdict"], valid["shells"], valid["reasons"]), ("VALID", [{"genus": 0}], []))
-        self.assertEqual(valid["counts"], {"tetrahedra": 1, "control_points": 10, "degree": 2, "leaves": 1, "patches": 4, "bodies": 1})
+        self.assertEqual((valid["verdict"], valid["shells"], valid["defects"], valid["reasons"]), ("VALID", [{"genus": 0}], [], []))
+        self.assertEqual(valid["counts"], {"tetrahedra": 1, "control_points": 10, "degree": 2, "leaves": 1, "patches": 4, "bodies": 1,
+                                           "defects": 0})
         self.assertTrue(valid["volume"]["lo"] <= 1 / 6 <= valid["volume"]["hi"], valid["volume"])
-        self.assertEqual((open_one["verdict"], open_one["shells"], open_one["volume"]), ("UNDECIDED", [], None))
-        (reason,) = open_one["reasons"]
-        self.assertEqual(reason["code"], "not-certified")
-        self.assertIn("J: the determinant of the derivative is below 0 at (1/4, 1/4, 1/4)", reason["message"])
+        self.assertEqual((bad["verdict"], bad["shells"], bad["volume"], bad["reasons"]), ("INVALID", [], None, []))
+        (defect,) = bad["defects"]
+        self.assertEqual((defect["code"], defect["tetrahedra"], defect["beta"], defect["other_parameter"]), ("jacobian", [0], None, None))
+        self.assertLess(F(defect["value"]), 0)
+        point = self.evaluate(folded, [" ".join(defect["parameter"])], "--exact", "--gradient")["points"][0]
+        (a, b, c), (d, e, f), (g, h, i) = ([F(x) for x in row] for row in point["gradient"][:3])
+        self.assertEqual(a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g), F(defect["value"]))
+
+    def test_every_verb_refuses_domains_and_clouds_with_defects(self):
+        for code, data in dms_defective.defective().items():
+            if code in ("jacobian", "jacobian-zero", "meeting", "crossing"):
+                continue
+            (self.folder / "bad.vdms").write_bytes(data)
+            document = self.evaluate("bad.vdms", ["1/4 1/4 1/4"], status=1)
+            self.assertEqual((document["defects"][0]["code"], document["points"]), (code, []))
 
     @unittest.skipIf(schema.jsonschema is None, "python3-jsonschema is not installed")
     def test_files_obey_the_schema_and_the_schema_is_tight(self):

@@ -28,7 +28,7 @@ def bent(p):
     low = int(z // 1)
     (a, b), (c, d) = turns[low % 8], turns[(low + 1) % 8]
     part = z - low
-    r = 2 + x
+    r = 2 + x + z / 60
     return [r * (a + part * (c - a)), y + z / 100, r * (b + part * (d - b))]
 
 

@@ -2,7 +2,7 @@
 #include "solids/dms/dms_knot_slope.h"
 
 #include "robust/base/check.h"
-#include "solids/dms/dms_table_internal.h"
+#include "solids/dms/dms_table.h"
 #include "splines/dms_knot_slope.h"
 
 namespace veritope {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "robust/base/check.h"
-#include "solids/dms/dms_table_internal.h"
+#include "solids/dms/dms_table.h"
 
 namespace veritope {
 namespace {

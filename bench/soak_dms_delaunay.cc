@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_dms_delaunay.cc: Delaunay tetrahedralizations of random sets of 10 to 10^4 points of all kinds against their
-// definition, and beside CGAL's.
+// bench/soak_dms_delaunay.cc: Delaunay tetrahedralizations of random sets of 10 to 10^4 points of all kinds against
+// their definition, and beside CGAL's.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

@@ -7,8 +7,8 @@
 
 namespace veritope {
 
-/// Like in_sphere of explicit points: if orient3d(a, b, c, d) > 0, positive iff e lies inside the sphere through a, b, c,
-/// d. The filter and the lattice are asked only where all five points are binary64 ones.
+/// Like in_sphere of explicit points: if orient3d(a, b, c, d) > 0, positive iff e lies inside the sphere through a, b,
+/// c, d. The filter and the lattice are asked only where all five points are binary64 ones.
 Sign in_sphere(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c,
                const ExactPoint3& d, const ExactPoint3& e, TierCounts* tally = nullptr);
 

@@ -45,14 +45,15 @@ class LinkedTetrahedra {
 
   /// Replaces the tetrahedra `ball` by one over each face of `shell`, in which `apex` is in the place of the corner
   /// opposite to the face. Returns one of them. (The flips 1-4, 2-6 and n-2n, and the insertion of Bowyer and Watson.)
-  /// REQUIRES that the shell is all faces of the ball whose partner is not in the ball, and a closed surface: each of its
-  /// edges belongs to two of them; that apex is no vertex of the shell; fewer than kMaxSlots slots afterwards.
+  /// REQUIRES that the shell is all faces of the ball whose partner is not in the ball, and a closed surface: each of
+  /// its edges belongs to two of them; that apex is no vertex of the shell; fewer than kMaxSlots slots afterwards.
   /// @cost linear, but for a sort if the shell has more than kManyVertices vertices
   std::uint32_t cone(std::span<const std::uint32_t> ball, std::span<const TetrahedronFace> shell,
                      std::uint32_t apex);
   static constexpr std::size_t kManyVertices = 256;
-  /// The general form: the apex may be a vertex of the shell, whose faces at the apex have no new tetrahedron, and faces may
-  /// be left out of `shell` that lie on the boundary, in a plane with the apex; the new faces there are glued to none.
+  /// The general form: the apex may be a vertex of the shell, whose faces at the apex have no new tetrahedron, and
+  /// faces may be left out of `shell` that lie on the boundary, in a plane with the apex; the new faces there are glued
+  /// to none.
   /// REQUIRES a shell as above, but for those faces; at least one face without the apex. @cost a sort
   void replace_by_cone(std::span<const std::uint32_t> ball, std::span<const TetrahedronFace> shell,
                        std::uint32_t apex);

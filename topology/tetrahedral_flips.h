@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// topology/tetrahedral_flips.h: flips of linked tetrahedra: other tetrahedra with the same boundary in the place of a few.
-// Integers only: whether the new tetrahedra are positively oriented in space is the caller's question.
+// topology/tetrahedral_flips.h: flips of linked tetrahedra: other tetrahedra with the same boundary in the place of a
+// few. Integers only: whether the new tetrahedra are positively oriented in space is the caller's question.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -43,8 +43,8 @@ std::optional<FlipFault> flip_2_3(LinkedTetrahedra& complex, TetrahedronFace f);
 /// 3-2: the inverse. REQUIRES that the tetrahedron has the edge a b, as does 4-4.
 std::optional<FlipFault> flip_3_2(LinkedTetrahedra& complex, std::uint32_t t, std::uint32_t a,
                                   std::uint32_t b);
-/// 4-4: the four tetrahedra at the edge a b are replaced by four at the edge from c, a corner of the first one that is not on
-/// the edge, to the opposite corner of the link.
+/// 4-4: the four tetrahedra at the edge a b are replaced by four at the edge from c, a corner of the first one that is
+/// not on the edge, to the opposite corner of the link.
 std::optional<FlipFault> flip_4_4(LinkedTetrahedra& complex, std::uint32_t t, std::uint32_t a,
                                   std::uint32_t b, std::uint32_t c);
 /// 4-1, the inverse of 1-4: the vertex goes, with its four tetrahedra, which are all around it.

@@ -20,10 +20,10 @@ struct TrimmedTetrahedron {
   TrimReason reason = TrimReason::kVertex;
 };
 
-/// Takes tetrahedra of the complex out of `kept` until the link of each vertex in the others is a sphere, a disc or empty:
-/// then their boundary is a 2-manifold. What is taken, in order. At a bad place the largest part stays, by the number of
-/// tetrahedra, on a tie that with the least number; from a ring the tetrahedron at its border goes that comes first
-/// in `order`.
+/// Takes tetrahedra of the complex out of `kept` until the link of each vertex in the others is a sphere, a disc or
+/// empty: then their boundary is a 2-manifold. What is taken, in order. At a bad place the largest part stays, by the
+/// number of tetrahedra, on a tie that with the least number; from a ring the tetrahedron at its border goes that comes
+/// first in `order`.
 /// REQUIRES a complex without overused faces whose links are spheres or discs, such as the tetrahedra of a convex hull;
 /// kept and order have one entry for each tetrahedron, and order is a permutation of their ranks.
 /// @cost linear, times the number of times that a vertex is looked at again

@@ -31,23 +31,23 @@ std::vector<double> approx_solid_angles(std::span<const ExactPoint3> points,
 /// REQUIRES a vertex of the boundary. (A corner where three octants meet is a "curve" by this rule.)
 VertexClass class_by_solid_angle(double solid_angle);
 
-/// Two vertices in ascending order: edges of the boundary whose two faces have normals that enclose more than the angle,
-/// from 0 to a right one, whose squared cosine is given. Exact. Ascending.
+/// Two vertices in ascending order: edges of the boundary whose two faces have normals that enclose more than the
+/// angle, from 0 to a right one, whose squared cosine is given. Exact. Ascending.
 /// REQUIRES a complex whose boundary is a 2-manifold.
 std::vector<std::array<std::uint32_t, 2>> feature_edges(std::span<const ExactPoint3> points,
                                                         const TetrahedralComplex& complex,
                                                         const Rational& squared_cosine);
 
-/// The class of each vertex by feature edges: smooth without one, a curve with exactly two that turn by no more than the
-/// angle, else a corner. Exact.
+/// The class of each vertex by feature edges: smooth without one, a curve with exactly two that turn by no more than
+/// the angle, else a corner. Exact.
 std::vector<VertexClass> classes_by_features(std::span<const ExactPoint3> points,
                                              const TetrahedralComplex& complex,
                                              std::span<const std::array<std::uint32_t, 2>> edges,
                                              const Rational& squared_cosine);
 
-/// The feature edges as lines from corner to corner, then closed ones without a corner, whose first vertex is their last.
-/// Each edge is in one line. Lines begin at their lesser end, closed ones at their least vertex, and are in ascending
-/// order.
+/// The feature edges as lines from corner to corner, then closed ones without a corner, whose first vertex is their
+/// last. Each edge is in one line. Lines begin at their lesser end, closed ones at their least vertex, and are in
+/// ascending order.
 std::vector<std::vector<std::uint32_t>> feature_lines(
     std::span<const std::array<std::uint32_t, 2>> edges, std::span<const VertexClass> classes);
 

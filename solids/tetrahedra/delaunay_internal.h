@@ -24,8 +24,8 @@ namespace veritope::internal {
 // the point at infinity is outside of its triangle.
 //
 // The complex is the lower hull of the lifted points, which are moved by infinitesimal amounts (delaunay.h); the point
-// at infinity lies above all of them. A new point replaces the tetrahedra that it sees from below, its conflicts. A ghost
-// is one if the point is outside of its triangle's plane. For a point in that plane the lifted determinant of the
+// at infinity lies above all of them. A new point replaces the tetrahedra that it sees from below, its conflicts. A
+// ghost is one if the point is outside of its triangle's plane. For a point in that plane the lifted determinant of the
 // triangle, the point and any further point is, up to a factor that does not depend on the amounts, that of the circle:
 // the tetrahedron behind the triangle decides.
 //
@@ -41,7 +41,7 @@ class DelaunayBuilder {
   explicit DelaunayBuilder(const Points& points)
       : points_(points), infinity_(points.size()), complex_(points.size() + 1) {}
 
-  // Begins with four points that are not in one plane; false if there are none.
+  // Begins with four points that are not in one plane; false if no such points exist.
   bool begin();
   // Inserts the points that were not used to begin with; false if more slots are needed.
   bool insert_all(std::size_t max_slots);
@@ -131,9 +131,9 @@ void DelaunayBuilder<Points>::insert(std::uint32_t p) {
   last_ = complex_.cone(conflicts_, shell_, p);
 }
 
-// A conflict of p, or a tetrahedron of which p is a corner's place: the closed tetrahedron that contains p, or the ghost
-// of a triangle that p is strictly outside of. Each step crosses a plane of which p is strictly on the other side: seen
-// from p, tetrahedra of a Delaunay tetrahedralization have no cycles.
+// A conflict of p, or a tetrahedron of which p is a corner's place: the closed tetrahedron that contains p, or the
+// ghost of a triangle that p is strictly outside of. Each step crosses a plane of which p is strictly on the other
+// side: seen from p, tetrahedra of a Delaunay tetrahedralization have no cycles.
 template <typename Points>
 std::uint32_t DelaunayBuilder<Points>::locate(std::uint32_t p) {
   std::uint32_t t = last_;

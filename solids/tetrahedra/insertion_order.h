@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/tetrahedra/insertion_order.h: an order in which points are inserted fast into a triangulation: rounds of random
-// points, each four times as large as the one before, and in each round along a Hilbert curve.
+// solids/tetrahedra/insertion_order.h: an order in which points are inserted fast into a triangulation: rounds of
+// random points, each four times as large as the one before, and in each round along a Hilbert curve.
 // Source: biased randomized insertion order, [ACR03]; the curve as in [Ski04].
 #pragma once
 #include <cstdint>

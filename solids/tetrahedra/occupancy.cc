@@ -203,7 +203,7 @@ std::vector<std::uint32_t> order_by_longest_edge(std::span<const ExactPoint3> po
 
 namespace {
 
-// Of each tetrahedron that is wanted a number of its part: connected through faces, or through vertices.
+// The parts of the tetrahedra that are wanted: connected through faces, or through vertices.
 DisjointSets<std::uint32_t> parts_of(const TetrahedralComplex& complex,
                                      const std::vector<bool>& wanted, bool through_vertices) {
   DisjointSets<std::uint32_t> parts(complex.tetrahedra().size());

@@ -40,27 +40,27 @@ class BallUnion {
   BoxHierarchy boxes_;  // around the balls of centres_
 };
 
-/// Of each tetrahedron: are the middles of its six edges in the union?
+/// For each tetrahedron: are the middles of its six edges in the union?
 std::vector<bool> occupied_tetrahedra(std::span<const TetrahedronCorners> tetrahedra,
                                       const BallUnion& balls);
 
 /// Tetrahedra that are not occupied but have small spheres become occupied: places inside that noise left free. In an
-/// object that is sampled densely the empty spheres between points are not much larger than the balls; at its surface and
-/// in its holes they are. (The paper has no such step: there noise makes cavities and tunnels.)
+/// object that is sampled densely the empty spheres between points are not much larger than the balls; at its surface
+/// and in its holes they are. (The paper has no such step: there noise makes cavities and tunnels.)
 /// Returns those tetrahedra, ascending.
 std::vector<std::uint32_t> fill_noise(std::span<const TetrahedronCorners> tetrahedra,
                                       const BallUnion& balls, const Rational& factor,
                                       std::vector<bool>& occupied);
 
-/// Tetrahedra with spheres more than `factor` times as large as the largest ball around a corner are not occupied any more:
-/// those that lie flat over hollows of the surface, and there make handles. (Nor has the paper this step.)
+/// Tetrahedra with spheres more than `factor` times as large as the largest ball around a corner are not occupied any
+/// more: those that lie flat over hollows of the surface, and there make handles. (Nor has the paper this step.)
 /// Returns those tetrahedra, ascending.
 std::vector<std::uint32_t> clip_large_spheres(std::span<const TetrahedronCorners> tetrahedra,
                                               const BallUnion& balls, const Rational& factor,
                                               std::vector<bool>& occupied);
 
-/// Tetrahedra that are not occupied, connected through faces, are a gap. A gap that is enclosed, so that it does not reach
-/// the boundary of the complex, and whose tetrahedra all have small spheres, becomes occupied.
+/// Tetrahedra that are not occupied, connected through faces, are a gap. A gap that is enclosed, so that it does not
+/// reach the boundary of the complex, and whose tetrahedra all have small spheres, becomes occupied.
 /// REQUIRES one entry for each tetrahedron. Returns the tetrahedra that were filled, ascending.
 std::vector<std::uint32_t> fill_enclosed_gaps(const TetrahedralComplex& complex,
                                               const BallUnion& balls, const Rational& factor,
@@ -70,8 +70,8 @@ std::vector<std::uint32_t> fill_enclosed_gaps(const TetrahedralComplex& complex,
 std::vector<std::uint32_t> order_by_longest_edge(std::span<const ExactPoint3> points,
                                                  std::span<const TetrahedronCorners> tetrahedra);
 
-/// Takes tetrahedra that are connected through faces out of `kept` if they are fewer than a sixteenth of others with which
-/// they were connected, be it through vertices only, in `before`: what trimming split off. Ascending.
+/// Takes tetrahedra that are connected through faces out of `kept` if they are fewer than a sixteenth of others with
+/// which they were connected, be it through vertices only, in `before`: what trimming split off. Ascending.
 /// REQUIRES that kept is a part of before, and that parts of kept have no vertex in common.
 std::vector<std::uint32_t> remove_satellites(const TetrahedralComplex& complex,
                                              const std::vector<bool>& before,
@@ -100,8 +100,8 @@ struct Occupancy {
   std::vector<std::uint32_t> filled;
 };
 
-/// All steps: tetrahedra with a middle outside of the union are clipped, but those with spheres up to 3/2 of a ball are kept
-/// as noise; those with spheres over 3 times a ball are clipped; the boundary is made a 2-manifold; gaps that this
+/// All steps: tetrahedra with a middle outside of the union are clipped, but those with spheres up to 3/2 of a ball are
+/// kept as noise; those with spheres over 3 times a ball are clipped; the boundary is made a 2-manifold; gaps that this
 /// enclosed, with spheres up to twice a ball, are filled; what it split off is taken away.
 /// REQUIRES the Delaunay tetrahedra of the points.
 /// @error kBadArgument if nothing is left

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/support/cgal_delaunay.h: CGAL's Delaunay tetrahedralization, an oracle. Its rule for points of one sphere is that
-// of [DT11], too.
+// tests/support/cgal_delaunay.h: CGAL's Delaunay tetrahedralization, an oracle. Its rule for points of one sphere is
+// that of [DT11], too.
 #pragma once
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -19,7 +19,7 @@ namespace veritope {
 
 using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// The finite cells. Of several points at one place any one may be a corner.
+/// The finite cells. Any one of several points at one place may be a corner.
 inline std::vector<TetrahedronCorners> cgal_delaunay(std::span<const Vec3d> points) {
   using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, CgalKernel>;
   using Data = CGAL::Triangulation_data_structure_3<Vertex>;

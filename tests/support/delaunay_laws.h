@@ -87,8 +87,8 @@ std::string check_hull(std::span<const Point> points, const TetrahedralComplex& 
 
 }  // namespace internal
 
-/// The law that does not hold, or "". With `all`, each sphere and each plane of the hull is tested with each point; else
-/// with the next ones, which suffices.
+/// The law that does not hold, or "". With `all`, each sphere and each plane of the hull is tested with each point;
+/// else with the next ones, which suffices.
 template <typename Point>
 std::string check_delaunay(std::span<const Point> points, const DelaunayTetrahedra& result,
                            bool all) {
@@ -117,8 +117,8 @@ std::string check_delaunay(std::span<const Point> points, const DelaunayTetrahed
   return "";
 }
 
-/// Whether the volumes of the tetrahedra add up to that of the pyramids from a point over the triangles of the boundary,
-/// none of which is negative.
+/// Whether the volumes of the tetrahedra add up to that of the pyramids from a point over the triangles of the
+/// boundary, none of which is negative.
 inline bool volumes_add_up(std::span<const Vec3d> points, const DelaunayTetrahedra& result) {
   const TetrahedralComplex complex(result.tetrahedra, static_cast<std::uint32_t>(points.size()));
   Rational inside, pyramids;

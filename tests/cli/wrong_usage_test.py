@@ -25,7 +25,7 @@ COMMANDS = [
 ]
 OPTIONS = [
     ("dms", 2, "dms needs one of: eval, make"),
-    ("dms evla m.vdms p", 2, "dms has no evla, but: eval, make; did you mean eval?"),
+    ("dms evla m.vdms p", 2, "dms has no evla, but: eval, make, domain; did you mean eval?"),
     ("dms eval --exat m.vdms p", 2, "dms eval has no option --exat; did you mean --exact?"),
     ("dms eval m.vdms p --degree=2", 2, "dms eval has no option --degree; it is one of dms make"),
     ("dms eval m.vdms p --gradient", 2, "--gradient requires --json"),

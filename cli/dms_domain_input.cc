@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "cli/certification.h"
 #include "io/base/source.h"
 #include "predicates/exact_point.h"
 
@@ -31,7 +32,7 @@ Result<TetrahedraFile> read_tetgen_pair(const std::string& path, const ModelRead
 }  // namespace
 
 Result<DomainInput> kind_of_domain_input(const std::string& path, const ModelReadOptions& reading) {
-  if (path == "-") return DomainInput::kPoints;
+  if (needs_copy(path)) return DomainInput::kPoints;
   if (is_of_tetgen(path)) return DomainInput::kTetrahedra;
   const Result<ModelBytes> file = load_model(path, reading);
   if (!file) return file.error();
@@ -43,7 +44,7 @@ Result<TetrahedraFile> read_tetrahedra(const std::string& path, const ModelReadO
   if (is_of_tetgen(path)) return read_tetgen_pair(path, reading);
   const Result<ModelBytes> file = load_model(path, reading);
   if (!file) return file.error();
-  const Source source = source_of(file->bytes, file->name);
+  const veritope::Source source = source_of(file->bytes, file->name);
   Result<TetrahedraFile> read = tetrahedra_format_of(source) == TetrahedraFormat::kMedit
                                     ? read_medit(source, reading.limits)
                                     : read_gmsh(source, reading.limits);

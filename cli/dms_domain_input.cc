@@ -5,6 +5,7 @@
 
 #include "cli/certification.h"
 #include "io/base/source.h"
+#include "io/formats.h"
 #include "predicates/exact_point.h"
 
 namespace veritope::cli {
@@ -37,7 +38,8 @@ Result<DomainInput> kind_of_domain_input(const std::string& path, const ModelRea
   const Result<ModelBytes> file = load_model(path, reading);
   if (!file) return file.error();
   if (tetrahedra_format_of(source_of(file->bytes, file->name))) return DomainInput::kTetrahedra;
-  return choose_format(*file, reading) ? DomainInput::kMesh : DomainInput::kPoints;
+  const bool is_model = format_from_path(path) != nullptr || choose_format(*file, reading);
+  return is_model ? DomainInput::kMesh : DomainInput::kPoints;
 }
 
 Result<TetrahedraFile> read_tetrahedra(const std::string& path, const ModelReadOptions& reading) {

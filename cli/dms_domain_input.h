@@ -12,8 +12,8 @@ namespace veritope::cli {
 
 enum class DomainInput { kPoints, kMesh, kTetrahedra };
 
-/// TetGen's files by the endings .node and .ele, everything else by its content: a model that certify knows counts as a
-/// mesh, and what is not recognised as points. Standard input and pipes are points.
+/// TetGen's files by the endings .node and .ele, all others by their content, or by an ending that certify knows: its
+/// models count as meshes, and what is not recognised as points. Standard input and pipes are points.
 /// @error kCannotOpen, kOverLimit
 Result<DomainInput> kind_of_domain_input(const std::string& path, const ModelReadOptions& reading);
 

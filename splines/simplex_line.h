@@ -34,8 +34,8 @@ concept LineAnswers = requires(A& a, const KnotSet& set, const SimplexFrame<R>& 
 };
 
 /// The moments of the simplex splines of all sets of a list of knots. Each is computed once.
-/// Eq. 1 multiplies a spline of lower degree by a linear function of t, so that moment k of a set is made of the moments
-/// k and k + 1 of sets with one knot fewer, down to tetrahedra, where they are those of an interval. Nothing is
+/// Eq. 1 multiplies a spline of lower degree by a linear function of t, so that moment k of a set is made of the
+/// moments k and k + 1 of sets with one knot fewer, down to tetrahedra, where they are those of an interval. Nothing is
 /// integrated by parts; so knots may be multiple or coplanar, and no jump has to be known.
 template <Ring R, LineAnswers<R> Answers>
 class SimplexLineMoments {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/dms_ray_plan_internal.h: what the moments of one tetrahedron's simplex splines along the rays of a grid are
-// computed from: splines/simplex_line.h as tables of doubles with bounds of their errors.
+// solids/dms/dms_ray_plan_internal.h: what the moments of one tetrahedron's simplex splines along the rays of a grid
+// are computed from: splines/simplex_line.h as tables of doubles with bounds of their errors.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace veritope::internal {
 /// Half the distance from 1 to the next double: the relative error of a rounding to nearest.
 inline constexpr double kRayUnit = 0x1p-53;
 
-/// A number for each ray of a plan's range, at + right i + down j, where i and j count from the plan's centre. What `on`
-/// computes, rounding to nearest, differs from it by at most `error` on each of these rays.
+/// A number for each ray of a plan's range, at + right i + down j, where i and j count from the plan's centre. What
+/// `on` computes, rounding to nearest, differs from it by at most `error` on each of these rays.
 struct RayNumber {
   double at = 0, right = 0, down = 0, error = 0;
   double on(double i, double j) const { return at + right * i + down * j; }
@@ -42,8 +42,8 @@ struct RaySpan {
   double begin = 0, end = 0, slack = 0;
 };
 enum class RayClip { kMiss, kHit, kUnsure };
-/// Replaces a part of a ray by that in the cell. kMiss is certain. If kHit, begin <= end, and if the truth is empty, they
-/// differ from each other by no more than the slack. The slack is infinite where doubles do not suffice.
+/// Replaces a part of a ray by that in the cell. kMiss is certain. If kHit, begin <= end, and if the truth is empty,
+/// they differ from each other by no more than the slack. The slack is infinite where doubles do not suffice.
 /// REQUIRES bounds up to 1.01, without an error.
 RayClip clip_ray(const RayCell& cell, double i, double j, RaySpan& span);
 

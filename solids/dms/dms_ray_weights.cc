@@ -36,8 +36,8 @@ struct RayEnd {
   double t = 0, error = 0;
 };
 
-// Moments of a spline along the parts of a ray in the domain, integrals of s^k M dt: the exact ones differ from them by at
-// most `error`, and are at most the exact moment 0, up to roundings that errors pay for, because |s| <= 1 there.
+// Moments of a spline along the parts of a ray in the domain, integrals of s^k M dt: the exact ones differ from them
+// by at most `error`, and are at most the exact moment 0, up to roundings that errors pay for, because |s| <= 1 there.
 struct RayMoments {
   std::array<double, kMostMoments> at{};
   double error = 0;
@@ -215,7 +215,7 @@ class RayCalculator {
       out.error += error_of(place, part);
     }
   }
-  // Of the product of a coordinate and moments: four such products with their sums take less than 16 roundings.
+  // The error of the product of a coordinate and moments: four such products with their sums take less than 16 roundings.
   static double error_of(const RayPlace& place, const RayMoments& part) {
     const double size = place.size();
     return 1.0000001 *

@@ -19,8 +19,8 @@ namespace veritope::internal {
 inline constexpr std::size_t kKnotsOfCorner = kMaxDmsDegree + 1;
 
 /// The first four knots of the set that is_independent(four) accepts, or nothing. First come the last knots of the
-/// corners, then the last but one of each, and so on: what the recurrence leaves of V_γ are then the V of lesser γ, which
-/// the other γ share, and few sets that lack a corner.
+/// corners, then the last but one of each, and so on: what the recurrence leaves of V_γ are then the V of lesser γ,
+/// which the other γ share, and few sets that lack a corner.
 template <typename IsIndependent>
 std::optional<std::array<KnotNumber, 4>> four_independent(const KnotSet& set,
                                                           IsIndependent is_independent) {

@@ -204,18 +204,19 @@ TEST(NpyHeader, RowsHaveEitherByteOrder) {
   EXPECT_EQ(npy_row(h, big), (Vec3d{1, -2, 0}));
 }
 
-TEST(PointLines, ReadsTheTwoEndsOfSegmentsExactly) {
+TEST(ReadPoint, TakesTheTwoEndsOfSegmentsExactly) {
   PointLines lines(Decimals::kExact, {}, 6);
   std::optional<PointFault> fault;
-  const auto ends = lines.read_segment("0.1 1/3,0x1p-3 ; -2 0 1e2        ", fault);
+  const Line line("0.1 1/3,0x1p-3 ; -2 0 1e2"), comment("# nothing"), long_one("1 2 3 4 5 6 7");
+  const auto ends = lines.read_segment(line.view(), fault);
   ASSERT_TRUE(ends.has_value());
   EXPECT_FALSE(fault.has_value());
   EXPECT_EQ((*ends)[0], (ExactPoint{Rational(1) / Rational(10), Rational(1) / Rational(3),
                                     Rational(1) / Rational(8)}));
   EXPECT_EQ((*ends)[1], (ExactPoint{-2, 0, 100}));
-  EXPECT_FALSE(lines.read_segment("# nothing        ", fault).has_value());
+  EXPECT_FALSE(lines.read_segment(comment.view(), fault).has_value());
   EXPECT_FALSE(fault.has_value());
-  EXPECT_FALSE(lines.read_segment("1 2 3 4 5 6 7        ", fault).has_value());
+  EXPECT_FALSE(lines.read_segment(long_one.view(), fault).has_value());
   ASSERT_TRUE(fault.has_value());
   EXPECT_EQ(fault->column, 13u);
   EXPECT_EQ(fault->message, "a segment has six coordinates, three of each end, but there are 7");

@@ -215,7 +215,7 @@ class RayCalculator {
       out.error += error_of(place, part);
     }
   }
-  // The error of the product of a coordinate and moments: four such products with their sums take less than 16 roundings.
+  // The error of a coordinate times moments: four such products with their sums take less than 16 roundings.
   static double error_of(const RayPlace& place, const RayMoments& part) {
     const double size = place.size();
     return 1.0000001 *

@@ -46,7 +46,7 @@ class DmsRayWeights {
   struct Range {
     std::uint32_t first_column = 0, end_column = 0, first_row = 0, end_row = 0;
   };
-  /// Of each control point.
+  /// The range of each control point.
   std::vector<Range> ranges() const;
 
  private:

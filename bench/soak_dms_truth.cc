@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_dms_truth.cc: --count N --seed S [--only K] [--folder F]. What certify says of N random
-// simplex-spline solids of each class of tests/support/dms_truth.h, whose verdict is known by construction: wrong and
-// undecided answers, of class number K alone if it is given. With a folder each certificate and its model are written there. One JSON line a class.
+// bench/soak_dms_truth.cc: --count N --seed S [--only K] [--folder F]. What certify says of N random simplex-spline
+// solids of each class of tests/support/dms_truth.h, whose verdict is known by construction: wrong and undecided
+// answers, of class number K alone if it is given. With a folder each certificate and its model are written there. One
+// JSON line a class.
 #include <cstdio>
 #include <fstream>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/dms/dms_core.h: the conditions (b) and (c) of docs/formats/dms-files.md, decided exactly: a common inner point
-// of a tetrahedron's W_γ or weights that show that there is none; a plane that parts a hull of knots from a tetrahedron
+// of a tetrahedron's W_γ or weights that show that they have no such point; a plane that parts a hull of knots from a tetrahedron
 // or a common point.
 #pragma once
 #include <array>
@@ -23,7 +23,7 @@ struct DmsCoreWeight {
   int corner = 0;
   Rational weight;  ///< > 0
 };
-/// A point inside of all W_γ of the tetrahedron with |γ| <= N, or why there is none.
+/// A point inside of all W_γ of the tetrahedron with |γ| <= N, or why there is no such point.
 /// REQUIRES d(W_γ) > 0 for them. @cost a few steps of an exact linear program with two half-spaces for each γ
 std::variant<DmsPoint, std::vector<DmsCoreWeight>> find_core(const DmsModel& model,
                                                              std::uint32_t tetrahedron);
@@ -43,7 +43,8 @@ struct DmsNoCore {
   std::uint32_t tetrahedron = 0;
   std::vector<DmsCoreWeight> weights;
 };
-/// The hull of the knots q_0, ..., q_j, r_0, ..., r_k, s_0, ..., s_l of a face of the boundary reaches into a tetrahedron.
+/// The hull of the knots q_0, ..., q_j, r_0, ..., r_k, s_0, ..., s_l of a face of the boundary reaches into a
+/// tetrahedron.
 struct DmsHullInside {
   TetrahedronFace face = 0;
   std::array<int, 3> last{};  ///< j, k, l

@@ -52,7 +52,7 @@ struct DmsDomainDefects {
 DmsDomainDefects find_domain_defects(const DmsModel& model, const TetrahedralComplex& complex);
 
 namespace internal {
-/// The improper common point of two triangles of different vertices; nothing if there is none.
+/// The improper common point of two triangles of different vertices; nothing if they have no such point.
 /// @param ids  of the corners; equal ids are equal points. REQUIRES corners that are not on one line
 struct CornersWithIds {
   std::array<std::uint32_t, 3> ids{};

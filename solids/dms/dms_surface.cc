@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/dms/dms_surface.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "robust/base/check.h"
+#include "solids/dms/dms_evaluator.h"
+#include "solids/dms/dms_values.h"
+
+namespace veritope {
+namespace {
+
+BezierTriangle<Rational> patch_of(int degree, std::vector<DmsPoint> coefficients) {
+  BezierTriangle<Rational> out(degree, 3, false);
+  for (int c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < coefficients.size(); ++i)
+      out.component(c)[i] = std::move(coefficients[i][static_cast<std::size_t>(c)]);
+  return out;
+}
+
+}  // namespace
+
+std::variant<std::vector<BezierTriangle<Rational>>, DmsOpenFace> boundary_patches(
+    const DmsModel& model, const TetrahedralComplex& complex) {
+  const auto tiled = tile_boundary(model, complex);
+  if (const auto* const open = std::get_if<DmsOpenFace>(&tiled)) return *open;
+  DmsEvaluator evaluator(model);
+  const SimplexInterpolation interpolation(model.degree, 3);
+  std::vector<BezierTriangle<Rational>> out;
+  for (const auto& tiles : std::get<0>(tiled))
+    for (const DmsTile& tile : tiles) {
+      const auto values = values_at(evaluator, interpolation.points(tile.corners));
+      VT_CHECK(values.has_value(), "points of the boundary lie in the closed domain");
+      out.push_back(patch_of(model.degree, interpolation.coefficients(*values)));
+    }
+  return out;
+}
+
+}  // namespace veritope

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/dms/dms_surface.h: the map on the boundary of its domain, as Bezier triangles.
+#pragma once
+#include <variant>
+#include <vector>
+
+#include "solids/dms/dms_model.h"
+#include "solids/dms/dms_tiles.h"
+#include "splines/bezier_triangle.h"
+#include "topology/tetrahedral_complex.h"
+
+namespace veritope {
+
+/// x, y, z of the map on the tiles of the boundary's faces (solids/dms/dms_tiles.h), face after face: exactly, with the
+/// degree of the model. Each has its normal out of the solid, if the map is one to one and det Ds > 0.
+/// REQUIRES the complex of the model, and a model without defects (solids/dms/dms_defects.h).
+/// @cost  the tiles, and (n + 1)(n + 2) / 2 exact values on each
+std::variant<std::vector<BezierTriangle<Rational>>, DmsOpenFace> boundary_patches(
+    const DmsModel& model, const TetrahedralComplex& complex);
+
+}  // namespace veritope

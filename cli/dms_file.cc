@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <variant>
 
 #include "cli/dms_verbs.h"
+#include "io/base/exact_number.h"
 #include "report/text_style.h"
+#include "solids/dms/dms_validity.h"
 
 namespace veritope::cli {
 
@@ -30,6 +34,20 @@ std::string dms_refusal(const std::string& path, const DmsDefects& defects) {
          (defects.count > 1
               ? "; " + report::counted(defects.count - 1, "more defect", "more defects")
               : "");
+}
+
+std::string take_dms_point(std::string_view text, DmsPoint& point) {
+  if (std::ranges::count(text, ',') != 2)
+    return "must be x,y,z without spaces, not " + std::string(text);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    const std::string_view token = text.substr(0, end);
+    if (read_exact_number(token, {}, point[c]) != DecimalFault::kNone)
+      return "needs decimals, fractions or hexadecimal numbers, not '" + std::string(token) + "'";
+    if (const Status status = check_dms_number(point[c]); !status) return status.error().message;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return "";
 }
 
 }  // namespace veritope::cli

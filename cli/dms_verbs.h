@@ -2,6 +2,7 @@
 // cli/dms_verbs.h: the verbs of veritope dms.
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "cli/commands.h"
 #include "io/read_model.h"
@@ -14,6 +15,9 @@ RunCommand declare_dms_fit(OptionSet& set);
 RunCommand declare_dms_make(OptionSet& set);
 RunCommand declare_dms_domain(OptionSet& set);
 RunCommand declare_dms_xray(OptionSet& set);
+RunCommand declare_dms_refine(OptionSet& set);
+RunCommand declare_dms_boundary(OptionSet& set);
+RunCommand declare_dms_edit(OptionSet& set);
 
 /// Reads a model. @error as read_model_file, and kUnknownFormat for a file of another kind
 Result<DmsFile> read_dms_file(const std::string& path, ModelReadOptions reading);
@@ -21,7 +25,10 @@ Result<DmsFile> read_dms_file(const std::string& path, ModelReadOptions reading)
 /// The component that has the name of an attribute. @error kBadArgument for another name
 Result<std::size_t> dms_component(const DmsModel& model, const std::string& attribute);
 
-/// Why a model is refused: its first defect, and how many more there are. REQUIRES a defect.
+/// "PATH: CODE: where; 3 more defects". REQUIRES a defect.
 std::string dms_refusal(const std::string& path, const DmsDefects& defects);
+
+/// Reads "x,y,z", exactly; "" or why not.
+std::string take_dms_point(std::string_view text, DmsPoint& point);
 
 }  // namespace veritope::cli

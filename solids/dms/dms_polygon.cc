@@ -23,9 +23,9 @@ DmsPoint mean_of(const std::vector<DmsPoint>& points) {
 }
 
 // Heights of points over the line through a in this direction, in the polygon's plane.
-class Line {
+class CutLine {
  public:
-  Line(const DmsPoint& a, const DmsPoint& direction, const DmsPoint& normal)
+  CutLine(const DmsPoint& a, const DmsPoint& direction, const DmsPoint& normal)
       : across_(cross_product(normal, direction)), level_(dot_product(across_, a)) {}
   Rational height(const DmsPoint& p) const { return dot_product(across_, p) - level_; }
 
@@ -39,7 +39,7 @@ std::optional<DmsSegment> clipped(const DmsPolygon& polygon, DmsSegment segment,
                                   const DmsPoint& normal) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const DmsPoint& a = polygon[i];
-    const Line side(a, difference(polygon[(i + 1) % polygon.size()], a), normal);
+    const CutLine side(a, difference(polygon[(i + 1) % polygon.size()], a), normal);
     const Rational first = side.height(segment[0]), second = side.height(segment[1]);
     const bool is_first_out = first.sign() == Sign::kNegative,
                is_second_out = second.sign() == Sign::kNegative;
@@ -52,7 +52,7 @@ std::optional<DmsSegment> clipped(const DmsPolygon& polygon, DmsSegment segment,
 bool is_inside(const DmsPolygon& polygon, const DmsPoint& p, const DmsPoint& normal) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const DmsPoint& a = polygon[i];
-    const Line side(a, difference(polygon[(i + 1) % polygon.size()], a), normal);
+    const CutLine side(a, difference(polygon[(i + 1) % polygon.size()], a), normal);
     if (side.height(p).sign() != Sign::kPositive) return false;
   }
   return true;
@@ -67,7 +67,7 @@ std::optional<std::pair<DmsPolygon, DmsPolygon>> internal::cut_polygon(const Dms
   if (!part || !is_inside(polygon, mean_of({(*part)[0], (*part)[1]}), normal)) return std::nullopt;
   DmsPoint direction = difference(segment[1], segment[0]);
   if (direction == DmsPoint{}) direction = difference(polygon[0], segment[0]);
-  const Line line(segment[0], direction, normal);
+  const CutLine line(segment[0], direction, normal);
   DmsPolygon left, right;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const DmsPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];

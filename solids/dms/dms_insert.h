@@ -16,8 +16,8 @@ namespace veritope {
 BPatch<Rational> patch_of_tetrahedron(const DmsModel& model, std::uint32_t tetrahedron);
 
 struct DmsInsertion {
-  /// The new vertex T is the last one. The part of the tetrahedron with T in the place of corner 0 has its number; those
-  /// with T in the place of corners 1, 2, 3 come after all others.
+  /// The new vertex T is the last one. The part of the tetrahedron with T in the place of corner 0 has its number;
+  /// those with T in the place of corners 1, 2, 3 come after all others.
   DmsModel model;
   std::uint32_t tetrahedron = 0;  ///< the one that was cut
   /// If there are any, condition (a) does not hold for the new knots, and the map of the model may be another.

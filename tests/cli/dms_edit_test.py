@@ -77,17 +77,18 @@ class DmsEdit(Folder):
         return "separate.vdms"
 
     def test_surfaces_are_decided_as_patches(self):
-        for model, faces in ((TETRAHEDRON, 4), (CLOUDS, 4), (self.separate(), 4)):
+        run("dms", "make", DOMAIN, "-o", "creased.vdms", "--degree", "2", "--clouds", "1/10:7", cwd=self.folder)
+        for model, patches in ((TETRAHEDRON, 4), (CLOUDS, 4), (self.separate(), 4), ("creased.vdms", 20)):
             done = run("dms", "boundary", model, "-o", "b.vjson", cwd=self.folder)
             self.assertEqual((done.returncode, done.stderr), (0, ""), done)
-            self.assertRegex(done.stdout, rf"^wrote  b.vjson  {faces} faces, \d+ Bezier triangles\n$")
+            self.assertRegex(done.stdout, rf"^wrote  b.vjson  4 faces, {patches} Bezier triangles\n$")
             of_patches = run("certify", "b.vjson", "--json", "-", cwd=self.folder)
             of_model = run("certify", model, "--json", "-", cwd=self.folder)
             self.assertEqual((of_patches.returncode, of_model.returncode), (0, 0))
-            patches, whole = (json.loads(d.stdout)["files"][0] for d in (of_patches, of_model))
-            self.assertEqual(patches["verdict"], "VALID")
-            self.assertEqual([s["genus"] for s in patches["shells"]], [s["genus"] for s in whole["shells"]])
-            self.assertTrue(patches["volume"]["lo"] <= whole["volume"]["hi"] and whole["volume"]["lo"] <= patches["volume"]["hi"])
+            surface, whole = (json.loads(d.stdout)["files"][0] for d in (of_patches, of_model))
+            self.assertEqual(surface["verdict"], "VALID")
+            self.assertEqual([s["genus"] for s in surface["shells"]], [s["genus"] for s in whole["shells"]])
+            self.assertTrue(surface["volume"]["lo"] <= whole["volume"]["hi"] and whole["volume"]["lo"] <= surface["volume"]["hi"])
             done = run("dms", "boundary", model, "-o", "-", cwd=self.folder)
             self.assertEqual(done.stdout, (self.folder / "b.vjson").read_text())
 

@@ -12,6 +12,7 @@ namespace veritope::cli {
 
 RunCommand declare_dms_eval(OptionSet& set);
 RunCommand declare_dms_fit(OptionSet& set);
+RunCommand declare_dms_iso(OptionSet& set);
 RunCommand declare_dms_make(OptionSet& set);
 RunCommand declare_dms_domain(OptionSet& set);
 RunCommand declare_dms_xray(OptionSet& set);

@@ -86,4 +86,36 @@ std::string dms_point_text(const DmsPointReport& point) {
   return text + "\n";
 }
 
+std::string dms_iso_json(const DmsIsoReport& report) {
+  const auto& iso = report.iso;
+  Json out;
+  out["schema"] = "veritope-dms-iso-1";
+  out["tool"] = tool_name();
+  out["model"] = {{"path", report.path}, {"sha256", report.sha256}, {"bytes", report.bytes}};
+  out["attribute"] = report.attribute;
+  out["level"] = fraction_text(report.level);
+  out["within"] = fraction_text(report.within);
+  out["space"] = report.in_solid ? "solid" : "domain";
+  out["defects"] = defects_json(report.defects);
+  out["seconds"] = seconds_json(report.seconds);
+  out["certified"] = iso && iso->certified;
+  out["obstacle"] = iso ? optional_json(iso->obstacle) : Json(nullptr);
+  out["components"] = iso ? Json(iso->components) : Json(nullptr);
+  out["euler"] = iso ? Json(iso->euler) : Json(nullptr);
+  out["vertices"] = iso ? Json(iso->mesh.positions.size()) : Json(nullptr);
+  out["triangles"] = iso ? Json(iso->mesh.faces.size()) : Json(nullptr);
+  out["cells"] = iso ? Json(iso->cells) : Json(nullptr);
+  out["num_undecided"] = iso ? Json(iso->num_undecided) : Json(nullptr);
+  Json& undecided = out["undecided"] = Json::array();
+  if (iso)
+    for (const DmsIsoCell& cell : iso->undecided) {
+      Json corners = Json::array();
+      for (const DmsPoint& p : cell.corners) corners.push_back(each_json(p, exact_json));
+      undecided.push_back({{"tetrahedron", cell.tetrahedron},
+                           {"corners", std::move(corners)},
+                           {"why", doubt_name(cell.why)}});
+    }
+  return dump(out) + "\n";
+}
+
 }  // namespace veritope::report

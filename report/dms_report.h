@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// report/dms_report.h: what veritope dms eval says of points.
+// report/dms_report.h: what veritope dms eval says of points, and dms iso of a surface.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -9,6 +9,7 @@
 
 #include "robust/rational.h"
 #include "solids/dms/dms_defects.h"
+#include "solids/dms/dms_iso.h"
 
 namespace veritope::report {
 
@@ -39,5 +40,19 @@ std::string dms_eval_json(const DmsEvalReport& report);
 
 /// One line: the numbers of the value as fractions, or binary64 ones with 17 digits; "outside".
 std::string dms_point_text(const DmsPointReport& point);
+
+struct DmsIsoReport {
+  std::string path, sha256;
+  std::uint64_t bytes = 0;
+  std::string attribute;
+  Rational level, within;
+  bool in_solid = false;
+  DmsDefects defects;
+  std::optional<DmsIso> iso;  ///< nothing if there are defects
+  double seconds = 0;
+};
+
+/// The schema: docs/report.schema.json, dms_iso.
+std::string dms_iso_json(const DmsIsoReport& report);
 
 }  // namespace veritope::report

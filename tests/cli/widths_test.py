@@ -91,6 +91,7 @@ def command_lines():
     yield ["dms", "boundary", "--help"]
     yield ["dms", "edit", "tests/models/dms/tetrahedron.vdms", "tests/cli/dms_moves.json", "-o", "r.vdms"]
     yield ["dms", "edit", "--help"]
+    yield ["dms", "iso", "--help"]
     yield ["info", "tests/models/dms/tetrahedron.vdms"]
     yield ["classify", "e.json", "examples/sound_part.stl"]
     yield ["certify", "e.json"]

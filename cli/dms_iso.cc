@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// veritope dms iso.
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "cli/dms_verbs.h"
+#include "cli/option_groups.h"
+#include "cli/output_plan.h"
+#include "io/base/exact_number.h"
+#include "io/formats.h"
+#include "io/mesh/write_mesh.h"
+#include "report/dms_report.h"
+#include "report/text_style.h"
+#include "robust/base/stopwatch.h"
+#include "solids/dms/dms_iso.h"
+
+namespace veritope::cli {
+namespace {
+
+struct DmsIsoChoice {
+  std::string model;
+  std::optional<std::string> attribute, output, json;
+  std::optional<Rational> level, within;
+  bool in_solid = false;
+  std::optional<std::uint64_t> max_cells;
+  ModelReadOptions reading;
+};
+
+std::string take_number(const std::string& text, std::optional<Rational>& target) {
+  Rational number;
+  if (read_exact_number(text, {}, number) != DecimalFault::kNone)
+    return "must be a number, not " + text;
+  target = std::move(number);
+  return "";
+}
+
+// A name that some attribute has; else a number, from 0 on.
+Result<std::size_t> attribute_of(const DmsModel& model, const std::string& name) {
+  const auto found = std::find(model.attributes.begin(), model.attributes.end(), name);
+  if (found != model.attributes.end())
+    return static_cast<std::size_t>(found - model.attributes.begin());
+  std::string known;
+  for (const std::string& a : model.attributes) known += (known.empty() ? "" : ", ") + a;
+  return bad_argument("--attribute: the model has no attribute " + name +
+                      (known.empty() ? ", and no other" : ", but: " + known));
+}
+
+std::optional<MeshFormat> surface_format(const std::string& path) {
+  const ModelFormat* const format = format_from_path(path, ModelKind::kMesh);
+  const auto* const id = format == nullptr ? nullptr : std::get_if<MeshFormat>(&format->id);
+  return id == nullptr || *id == MeshFormat::kStl ? std::nullopt : std::optional(*id);
+}
+
+class DmsIsoRun {
+ public:
+  DmsIsoRun(const DmsIsoChoice& options, StandardOutput& out) : options_(options), out_(out) {}
+
+  ExitCode run() {
+    if (const Status status = check_outputs(); !status) return fail(status.error());
+    Stopwatch watch;
+    const Result<DmsFile> file = read_dms_file(options_.model, options_.reading);
+    if (!file) return fail(file.error());
+    const Result<std::size_t> attribute = attribute_of(file->model, *options_.attribute);
+    if (!attribute) return fail(attribute.error());
+    report_.path = options_.model;
+    report_.sha256 = file->sha256;
+    report_.bytes = file->bytes;
+    report_.attribute = *options_.attribute;
+    report_.level = *options_.level;
+    report_.within = *options_.within;
+    report_.in_solid = options_.in_solid;
+    report_.defects = find_dms_defects(file->model, kMaxListed);
+    if (report_.defects.count != 0) {
+      complain(harmless(refusal()));
+      report_.seconds = watch.lap();
+      return finish(kExitInvalid);
+    }
+    if (const Status status = find(file->model, *attribute); !status) return fail(status.error());
+    report_.seconds = watch.lap();
+    if (const Status status = write_mesh(); !status) return fail(status.error());
+    if (options_.json != "-" && options_.output != "-")
+      out_.write(fold(summary(), verdict_width()));
+    return finish(report_.iso->certified ? kExitValid : kExitUndecided);
+  }
+
+ private:
+  static constexpr std::size_t kMaxListed = 100;
+
+  Status check_outputs() const {
+    const std::vector<std::string> inputs{options_.model};
+    const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, options_.json);
+    if (!plan) return plan.error();
+    if (const Status status =
+            check_output("--output", *options_.output, inputs, *plan, options_.json);
+        !status)
+      return status;
+    return try_outputs(*plan, {options_.output, options_.json});
+  }
+
+  std::string refusal() const {
+    const DmsDefect& first = report_.defects.first[0];
+    return options_.model + ": " + fault_name(first.fault) + ": " + to_string(first) +
+           (report_.defects.count > 1
+                ? "; " + counted(report_.defects.count - 1, "more defect", "more defects")
+                : "");
+  }
+
+  Status find(const DmsModel& model, std::size_t attribute) {
+    DmsIsoOptions options;
+    options.attribute = attribute;
+    options.level = report_.level;
+    options.within = report_.within;
+    options.in_solid = options_.in_solid;
+    if (options_.max_cells) options.max_cells = static_cast<std::size_t>(*options_.max_cells);
+    Result<DmsIso> iso = find_dms_iso(model, options, kMaxListed);
+    if (!iso) return iso.error();
+    report_.iso = std::move(*iso);
+    return ok_status();
+  }
+
+  Status write_mesh() {
+    const WriteOptions how = default_write_options(*surface_format(*options_.output));
+    const Result<std::string> bytes = mesh_to_bytes(report_.iso->mesh, how);
+    if (!bytes) return bytes.error();
+    return write_output(*options_.output, *bytes, out_);
+  }
+
+  std::string summary() const {
+    const DmsIso& iso = *report_.iso;
+    std::string text = std::string(iso.certified ? "certified" : "not certified") + "  " +
+                       unbroken(harmless(*options_.output)) + "  " +
+                       counted(iso.components, "component", "components") + ", euler " +
+                       std::to_string(iso.euler) + ", " +
+                       counted(iso.mesh.faces.size(), "triangle", "triangles") + "\n";
+    if (iso.obstacle) text += "  " + *iso.obstacle + "\n";
+    if (iso.num_undecided > 0)
+      text += "  " + counted(iso.num_undecided, "cell is", "cells are") + " in doubt\n";
+    return text;
+  }
+
+  ExitCode finish(ExitCode exit) {
+    if (!options_.json) return exit;
+    const Status written = write_output(*options_.json, dms_iso_json(report_), out_);
+    return written ? exit : first_of(exit, fail(written.error()));
+  }
+
+  const DmsIsoChoice& options_;
+  StandardOutput& out_;
+  DmsIsoReport report_;
+};
+
+std::string iso_contradiction(const DmsIsoChoice& o) {
+  if (o.model == "-") return "M is a file, not standard input";
+  if (!o.attribute) return "--attribute A is required, a name of the model";
+  if (!o.level) return "--level C is required, a value of the attribute";
+  if (!o.within) return "--within E is required, the width of cells";
+  if (o.within->sign() != Sign::kPositive) return "--within: must be a number > 0";
+  if (!o.output) return "-o F is required, the file of the surface";
+  if (!surface_format(*o.output)) return "-o: must end in .off, .ply or .obj, not " + *o.output;
+  return "";
+}
+
+std::string take_space(const std::string& text, bool& in_solid) {
+  if (text != "domain" && text != "solid") return "must be domain or solid, not " + text;
+  in_solid = text == "solid";
+  return "";
+}
+
+}  // namespace
+
+RunCommand declare_dms_iso(OptionSet& set) {
+  const auto o = std::make_shared<DmsIsoChoice>();
+  declare_plain_file(set, "M", o->model, "a model .vdms");
+  set.text("--attribute", o->attribute, "the attribute, by its name", "A");
+  set.option(
+      "--level", "C", [o](const std::string& t) { return take_number(t, o->level); },
+      "its value on the surface");
+  set.option(
+      "--within", "E", [o](const std::string& t) { return take_number(t, o->within); },
+      "cells that the surface crosses are at most as wide");
+  set.output("-o,--output", o->output, "write the surface, .off, .ply or .obj");
+  set.option(
+      "--space", "S", [o](const std::string& t) { return take_space(t, o->in_solid); },
+      "domain (default), or solid: vertices are mapped");
+  set.number("--max-cells", o->max_cells, {1, 100'000'000}, "give up beyond this, 400000");
+  declare_json(set, o->json, "write the report");
+  declare_reading(set, o->reading);
+  set.hide("--as-indexed");
+  set.rule([o] { return iso_contradiction(*o); });
+  return [o](StandardOutput& out) { return DmsIsoRun(*o, out).run(); };
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solids/dms/dms_iso.h"
+
+#include <algorithm>
+#include <deque>
+#include <queue>
+#include <utility>
+
+#include "solids/dms/dms_iso_cells_internal.h"
+#include "solids/dms/dms_iso_mesh_internal.h"
+
+namespace veritope {
+namespace {
+
+using internal::IsoCell;
+using internal::IsoCells;
+
+class IsoSearch {
+ public:
+  IsoSearch(IsoCells& cells, const DmsIsoOptions& options) : cells_(cells), options_(options) {}
+
+  void run() {
+    narrow();
+    prove();
+  }
+  /// Why the cell is in doubt. REQUIRES run().
+  std::optional<DmsIsoDoubt> doubt(std::uint32_t number) const {
+    const IsoCell& cell = cells_.cells[number];
+    if (!cell.is_alive || cell.off != 0) return std::nullopt;
+    if (cells_.has_zero(cell)) return DmsIsoDoubt::kVertex;
+    if (number >= is_proved_.size() || !is_proved_[number]) return DmsIsoDoubt::kOpen;
+    return is_crossed(cell) && cells_.is_wide(cell) ? std::optional(DmsIsoDoubt::kWide)
+                                                    : std::nullopt;
+  }
+
+ private:
+  bool is_crossed(const IsoCell& cell) const {
+    return std::any_of(cell.corners.begin(), cell.corners.end(), [&](std::uint32_t v) {
+      return cells_.vertices[v].sign != cells_.vertices[cell.corners[0]].sign;
+    });
+  }
+  bool is_full() const { return cells_.num_alive >= options_.max_cells; }
+  bool is_of_interest(std::uint32_t number) const {
+    return cells_.cells[number].is_alive && cells_.cells[number].off == 0;
+  }
+
+  // Cuts the longest edges of cells that the surface may cross, until none is too long.
+  void narrow() {
+    std::priority_queue<std::pair<double, std::uint32_t>> wide;
+    std::uint32_t next = 0;
+    const auto collect = [&] {
+      for (; next < cells_.cells.size(); ++next) {
+        const IsoCell& cell = cells_.cells[next];
+        if (!is_of_interest(next) || !cells_.is_wide(cell)) continue;
+        const auto [i, j] = kDmsEdges[cells_.longest_edge(cell)];
+        wide.emplace(cells_.squared_length(cell.corners[i], cell.corners[j]), next);
+      }
+    };
+    for (collect(); !wide.empty() && !is_full(); collect()) {
+      const std::uint32_t number = wide.top().second;
+      wide.pop();
+      if (is_of_interest(number))
+        cells_.cut(number, cells_.longest_edge(cells_.cells[number]), Rational(1) / Rational(2));
+    }
+  }
+
+  // Cuts cells on which the rule is not proved, in the order in which they came.
+  void prove() {
+    std::uint32_t next = 0;
+    for (; next < cells_.cells.size(); ++next) {
+      is_proved_.push_back(false);
+      if (!is_of_interest(next) || cells_.has_zero(cells_.cells[next])) continue;
+      auto open = cells_.rule().find_open(cells_.cells[next].form);
+      if (!open) {
+        is_proved_[next] = true;
+        continue;
+      }
+      if (is_full() || cells_.cells[next].rounds >= options_.max_rounds) continue;
+      const int round = ++cells_.cells[next].rounds;
+      if (cut_at_knots(next, round, open)) continue;
+      if (!open) continue;
+      const DmsIsoForm& form = cells_.cells[next].form;
+      const std::size_t edge = cells_.rule().widest_edge(form, *open);
+      cells_.cut(next, edge, cells_.rule().cut_place(form, edge));
+    }
+  }
+  // Whether the cell was cut there. If it is found to have one polynomial, `open` is what is open then.
+  bool cut_at_knots(std::uint32_t number, int round, std::optional<DmsCorners>& open) {
+    if (cells_.cells[number].form.is_polynomial || round % 2 == 0) return false;
+    if (!cells_.cut_at_knots(number)) return false;
+    if (!cells_.cells[number].is_alive) return true;
+    open = cells_.rule().find_open(cells_.cells[number].form);
+    if (!open) is_proved_[number] = true;
+    return false;
+  }
+
+  IsoCells& cells_;
+  const DmsIsoOptions& options_;
+  std::vector<bool> is_proved_;
+};
+
+}  // namespace
+
+const char* doubt_name(DmsIsoDoubt doubt) {
+  switch (doubt) {
+    case DmsIsoDoubt::kVertex: return "vertex";
+    case DmsIsoDoubt::kOpen: return "open";
+    case DmsIsoDoubt::kWide: return "wide";
+  }
+  return "";
+}
+
+Result<DmsIso> find_dms_iso(const DmsModel& model, const DmsIsoOptions& options,
+                            std::size_t max_listed) {
+  DmsIso out;
+  out.obstacle = find_dms_iso_obstacle(model, options.attribute);
+  IsoCells cells(model, options);
+  IsoSearch search(cells, options);
+  search.run();
+  for (std::uint32_t c = 0; c < cells.cells.size(); ++c) {
+    const auto why = search.doubt(c);
+    if (!why || ++out.num_undecided > max_listed) continue;
+    DmsIsoCell& cell = out.undecided.emplace_back();
+    cell.tetrahedron = cells.cells[c].tetrahedron;
+    cell.why = *why;
+    for (std::size_t m = 0; m < 4; ++m)
+      cell.corners[m] = cells.vertices[cells.cells[c].corners[m]].at;
+  }
+  out.certified = !out.obstacle && out.num_undecided == 0;
+  out.cells = cells.num_alive;
+  if (const Status status = internal::draw_iso(cells, options.in_solid, out); !status)
+    return status.error();
+  return out;
+}
+
+}  // namespace veritope

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/dms/dms_iso.h: the surface on which an attribute of a simplex-spline solid has a value, as triangles, with a
+// proof of its topology. Theory: docs/THEORY.md, DMS-1. Design: docs/design/0098-isosurfaces-of-simplex-splines.md.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solids/dms/dms_model.h"
+#include "solids/polyhedron/triangle_mesh.h"
+
+namespace veritope {
+
+struct DmsIsoOptions {
+  std::size_t attribute = 0;
+  Rational level;
+  Rational within = Rational(1);  ///< cells that the surface crosses are not wider
+  bool in_solid = false;          ///< vertices are mapped by the model
+  std::size_t max_cells = 400'000;
+  int max_rounds = 90;  ///< cuts of one cell after another for the proof's sake
+};
+
+enum class DmsIsoDoubt {
+  kVertex,  ///< the attribute has the level's value at a corner
+  kOpen,    ///< on the cell, a face or an edge neither a sign nor a direction of growth was found
+  kWide,    ///< the cell is wider than demanded
+};
+/// "vertex", "open", "wide"
+const char* doubt_name(DmsIsoDoubt doubt);
+
+struct DmsIsoCell {
+  std::uint32_t tetrahedron = 0;  ///< of the domain
+  std::array<DmsPoint, 4> corners;
+  DmsIsoDoubt why = DmsIsoDoubt::kOpen;
+};
+
+struct DmsIso {
+  /// Triangles turn counterclockwise as seen from where the attribute is less.
+  TriangleMesh mesh;
+  /// The level set in the domain is isotopic to the triangles before rounding: `components` and `euler` are its own.
+  bool certified = false;
+  /// A condition of the whole model that is not proved to hold: "domain-overlap", "domain-pinched", "cloud-inside",
+  /// "control-disagrees".
+  std::optional<std::string> obstacle;
+  std::uint64_t components = 0;
+  std::int64_t euler = 0;
+  std::uint64_t cells = 0;
+  std::uint64_t num_undecided = 0;
+  std::vector<DmsIsoCell> undecided;  ///< the first ones
+};
+
+/// REQUIRES a model without defects of its domain and its clouds (solids/dms/dms_defects.h), attribute <
+/// model.attributes.size(), within > 0.
+/// @error kNotFinite for a vertex beyond binary64
+/// @cost  a form of each cell: at most max_cells of them, and those of one more edge
+Result<DmsIso> find_dms_iso(const DmsModel& model, const DmsIsoOptions& options,
+                            std::size_t max_listed = 100);
+
+/// What find_dms_iso says of the whole model; nothing if all conditions hold.
+/// @cost pairs of tetrahedra near each other, each by at most 44 planes
+std::optional<std::string> find_dms_iso_obstacle(const DmsModel& model, std::size_t attribute);
+
+}  // namespace veritope

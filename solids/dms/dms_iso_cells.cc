@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <algorithm>
+#include <utility>
+
+#include "solids/dms/dms_iso_cells_internal.h"
+
+namespace veritope::internal {
+namespace {
+
+constexpr std::size_t kMaxBits = 600;  // of numbers of points on planes of knots
+
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+  return (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
+}
+int sign_as_int(const Rational& x) { return static_cast<int>(x.sign()); }
+Rational thirty_seconds(int k) { return Rational(k) / Rational(32); }
+
+IsoVertex vertex_at(DmsPoint at, int sign) {
+  IsoVertex v{std::move(at), {}, sign};
+  for (std::size_t c = 0; c < 3; ++c) v.near[c] = nearest_double(v.at[c]);
+  return v;
+}
+
+}  // namespace
+
+IsoCells::IsoCells(const DmsModel& model, const DmsIsoOptions& options)
+    : model_(model),
+      options_(options),
+      knots_(model),
+      evaluator_(model),
+      interpolation_(model.degree, 4),
+      rule_(model.degree) {
+  std::vector<bool> is_used(model.clouds.size());
+  for (const TetrahedronCorners& t : model.tetrahedra)
+    for (const std::uint32_t v : t) is_used[v] = true;
+  for (std::uint32_t v = 0; v < model.clouds.size(); ++v) {
+    const DmsPoint& at = model.knot(v, 0);
+    vertices.push_back(vertex_at(at, is_used[v] ? sign_as_int(value_at(at)) : 0));
+  }
+  for (std::uint32_t t = 0; t < model.tetrahedra.size(); ++t) {
+    IsoCell cell;
+    cell.corners = model.tetrahedra[t];
+    cell.tetrahedron = t;
+    cell.form = first_form(cell);
+    add_cell(std::move(cell));
+  }
+}
+
+bool IsoCells::has_zero(const IsoCell& cell) const {
+  return std::any_of(cell.corners.begin(), cell.corners.end(),
+                     [&](std::uint32_t v) { return vertices[v].sign == 0; });
+}
+
+double IsoCells::squared_length(std::uint32_t a, std::uint32_t b) const {
+  double sum = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double d = vertices[a].near[c] - vertices[b].near[c];
+    sum += d * d;
+  }
+  return sum;
+}
+
+std::size_t IsoCells::longest_edge(const IsoCell& cell) const {
+  std::size_t found = 0;
+  double most = -1;
+  for (std::size_t e = 0; e < kDmsEdges.size(); ++e) {
+    const auto [i, j] = kDmsEdges[e];
+    const double length = squared_length(cell.corners[i], cell.corners[j]);
+    if (length > most) most = length, found = e;
+  }
+  return found;
+}
+
+bool IsoCells::is_wide(const IsoCell& cell) const {
+  return std::any_of(kDmsEdges.begin(), kDmsEdges.end(), [&](const auto& edge) {
+    const DmsPoint d =
+        difference(vertices[cell.corners[edge[0]]].at, vertices[cell.corners[edge[1]]].at);
+    return dot_product(d, d) > options_.within * options_.within;
+  });
+}
+
+Rational IsoCells::value_at(const DmsPoint& point) {
+  const auto place = evaluator_.locate(point);
+  VT_CHECK(place.has_value(), "points of cells are in the domain");
+  return evaluator_.evaluate(*place).value[3 + options_.attribute] - options_.level;
+}
+
+DmsPoint IsoCells::between(std::uint32_t a, std::uint32_t b, const Rational& t) const {
+  DmsPoint out;
+  for (std::size_t c = 0; c < 3; ++c)
+    out[c] = vertices[a].at[c] + t * (vertices[b].at[c] - vertices[a].at[c]);
+  return out;
+}
+
+std::array<DmsPoint, 4> IsoCells::points(const IsoCell& cell) const {
+  std::array<DmsPoint, 4> out;
+  for (std::size_t m = 0; m < 4; ++m) out[m] = vertices[cell.corners[m]].at;
+  return out;
+}
+
+DmsRegion IsoCells::region(const IsoCell& cell) const {
+  const auto corners = points(cell);
+  std::vector<DmsPlane> planes = face_planes(corners);
+  const std::vector<DmsPlane> wider = face_planes(knots_.corners(cell.tetrahedron));
+  planes.insert(planes.end(), wider.begin(), wider.end());
+  return {knots_, {corners.begin(), corners.end()}, planes};
+}
+
+const IsoCells::LinearTerm& IsoCells::term(const DmsSupport& support) {
+  const std::uint64_t key =
+      support.tetrahedron * knots_.gammas().size() + tetrahedral_index(support.gamma);
+  const auto found = terms_.find(key);
+  if (found != terms_.end()) return found->second;
+  std::array<DmsPoint, 4> places, values;
+  const TetrahedronCorners& t = model_.tetrahedra[support.tetrahedron];
+  for (std::size_t m = 0; m < 4; ++m) {
+    places[m] = model_.knot(t[m], support.gamma[m]);
+    const std::size_t c = control_of(model_, support.tetrahedron, raised(support.gamma, m));
+    values[m][0] = model_.value(c)[3 + options_.attribute] - options_.level;
+  }
+  const DmsMatrix linear = linear_part(places, values);
+  return terms_.emplace(key, LinearTerm{{linear[0], linear[1], linear[2]}, places[0], values[0][0]})
+      .first->second;
+}
+
+// Clouds that are collapsed near the tetrahedron leave one polynomial there.
+DmsIsoForm IsoCells::first_form(const IsoCell& cell) {
+  DmsRegion near = region(cell);
+  DmsIsoForm form;
+  form.supports = near.supports();
+  if (!near.find_cut(form.supports)) return polynomial_on(cell);
+  for (const DmsSupport& support : form.supports) {
+    const LinearTerm& f = term(support);
+    for (const std::uint32_t v : cell.corners)
+      form.numbers.push_back(
+          enclose(f.value + dot_product(f.gradient, difference(vertices[v].at, f.origin))));
+  }
+  return form;
+}
+
+DmsIsoForm IsoCells::polynomial_on(const IsoCell& cell) {
+  const auto corners = points(cell);
+  std::vector<DmsPoint> values;
+  for (const DmsPoint& p : interpolation_.points(corners))
+    values.push_back({value_at(p), Rational(), Rational()});
+  DmsIsoForm form{true, {}, {}};
+  for (const DmsPoint& b : interpolation_.coefficients(values))
+    form.numbers.push_back(enclose(b[0]));
+  return form;
+}
+
+void IsoCells::drop_far_supports(IsoCell& cell) const {
+  DmsIsoForm& form = cell.form;
+  DmsRegion near = region(cell);
+  DmsIsoForm kept;
+  for (std::size_t s = 0; s < form.supports.size(); ++s) {
+    if (near.misses(knots_.knots(form.supports[s]))) continue;
+    kept.supports.push_back(form.supports[s]);
+    for (std::size_t m = 0; m < 4; ++m) kept.numbers.push_back(form.numbers[4 * s + m]);
+  }
+  form = std::move(kept);
+}
+
+void IsoCells::add_cell(IsoCell cell) {
+  if (cell.off == 0) {
+    if (!cell.form.is_polynomial && cells.size() >= model_.tetrahedra.size())
+      drop_far_supports(cell);
+    cell.off = rule_.sign_on(cell.form, kAllCorners);
+    if (cell.off != 0) cell.form = {};
+  }
+  const auto number = static_cast<std::uint32_t>(cells.size());
+  for (const auto& [i, j] : kDmsEdges)
+    at_edge_[edge_key(cell.corners[i], cell.corners[j])].push_back(number);
+  cells.push_back(std::move(cell));
+  ++num_alive;
+}
+
+std::vector<std::uint32_t> IsoCells::around(std::uint32_t a, std::uint32_t b) const {
+  std::vector<std::uint32_t> out;
+  for (const std::uint32_t c : at_edge_.at(edge_key(a, b)))
+    if (cells[c].is_alive) out.push_back(c);
+  return out;
+}
+
+// False, and nothing is done, if g is c at the point and that is not allowed.
+bool IsoCells::cut_at(std::uint32_t a, std::uint32_t b, const Rational& t, bool may_be_zero) {
+  struct Parts {
+    std::uint32_t cell;
+    std::size_t edge;
+    std::pair<DmsIsoForm, DmsIsoForm> forms;
+  };
+  std::vector<Parts> parts;
+  int sign = 0;
+  for (const std::uint32_t c : around(a, b)) {
+    const IsoCell& cell = cells[c];
+    for (std::size_t e = 0; e < kDmsEdges.size(); ++e) {
+      const auto [i, j] = kDmsEdges[e];
+      const bool is_forward = cell.corners[i] == a && cell.corners[j] == b;
+      if (!is_forward && !(cell.corners[i] == b && cell.corners[j] == a)) continue;
+      Parts& part = parts.emplace_back(Parts{c, e, {}});
+      if (cell.off != 0) {
+        sign = cell.off;
+        continue;
+      }
+      part.forms = rule_.cut(cell.form, e, is_forward ? t : Rational(1) - t);
+      const Sign3 s = DmsIsoRule::at_corner(part.forms.first, j).sign();
+      if (sign == 0 && s == Sign3::kPositive) sign = 1;
+      if (sign == 0 && s == Sign3::kNegative) sign = -1;
+    }
+  }
+  DmsPoint at = between(a, b, t);
+  if (sign == 0) sign = sign_as_int(value_at(at));
+  if (sign == 0 && !may_be_zero) return false;
+  const auto middle = static_cast<std::uint32_t>(vertices.size());
+  vertices.push_back(vertex_at(std::move(at), sign));
+  for (Parts& part : parts) {
+    const auto [i, j] = kDmsEdges[part.edge];
+    IsoCell first = std::move(cells[part.cell]);
+    cells[part.cell] = {first.corners, first.tetrahedron, false, 0, 0, {}};
+    --num_alive;
+    IsoCell second = first;
+    first.corners[j] = middle;
+    second.corners[i] = middle;
+    first.form = std::move(part.forms.first);
+    second.form = std::move(part.forms.second);
+    add_cell(std::move(first));
+    add_cell(std::move(second));
+  }
+  at_edge_.erase(edge_key(a, b));
+  return true;
+}
+
+void IsoCells::cut(std::uint32_t cell, std::size_t edge, const Rational& place) {
+  const std::uint32_t a = cells[cell].corners[kDmsEdges[edge][0]],
+                      b = cells[cell].corners[kDmsEdges[edge][1]];
+  if (cut_at(a, b, place, false)) return;
+  for (const int k : {16, 15, 18, 13, 20, 11})
+    if (cut_at(a, b, thirty_seconds(k), false)) return;
+  cut_at(a, b, thirty_seconds(16), true);
+}
+
+bool IsoCells::cut_at_knots(std::uint32_t number) {
+  if (cells[number].form.is_polynomial) return false;
+  DmsRegion near = region(cells[number]);
+  const auto three = near.find_cut(cells[number].form.supports);
+  if (!three) {
+    cells[number].form = polynomial_on(cells[number]);
+    return true;
+  }
+  const DmsPoint& o = knots_.point((*three)[0]);
+  const DmsPoint normal = cross_product(difference(knots_.point((*three)[1]), o),
+                                        difference(knots_.point((*three)[2]), o));
+  std::array<Rational, 4> height;
+  for (std::size_t m = 0; m < 4; ++m)
+    height[m] = dot_product(normal, difference(vertices[cells[number].corners[m]].at, o));
+  for (const auto& [i, j] : kDmsEdges) {
+    if (sign_as_int(height[i]) * sign_as_int(height[j]) >= 0) continue;
+    const Rational t = height[i] / (height[i] - height[j]);
+    if (t.denominator().bit_length() > kMaxBits) continue;
+    if (cut_at(cells[number].corners[i], cells[number].corners[j], t, false)) return true;
+  }
+  return false;
+}
+
+}  // namespace veritope::internal

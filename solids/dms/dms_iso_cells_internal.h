@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/dms/dms_iso_cells_internal.h: conforming tetrahedra that refine those of a domain, each with what is known of
+// g - c on it.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "solids/dms/dms_evaluator.h"
+#include "solids/dms/dms_iso.h"
+#include "solids/dms/dms_iso_form.h"
+#include "solids/dms/dms_region.h"
+#include "solids/dms/dms_values.h"
+
+namespace veritope::internal {
+
+struct IsoVertex {
+  DmsPoint at;
+  std::array<double, 3> near{};  ///< rounded: for lengths that only order cuts
+  int sign = 0;                  ///< of g - c, exactly
+};
+
+struct IsoCell {
+  std::array<std::uint32_t, 4> corners{};
+  std::uint32_t tetrahedron = 0;
+  bool is_alive = true;
+  int off = 0;  ///< the sign of g - c on the whole cell, if that is proved; then there is no form
+  int rounds = 0;  ///< cuts for the proof's sake
+  DmsIsoForm form;
+};
+
+class IsoCells {
+ public:
+  IsoCells(const DmsModel& model, const DmsIsoOptions& options);
+
+  std::vector<IsoVertex> vertices;
+  std::vector<IsoCell> cells;
+  std::size_t num_alive = 0;
+
+  const DmsIsoRule& rule() const { return rule_; }
+  DmsEvaluator& evaluator() { return evaluator_; }
+  bool has_zero(const IsoCell& cell) const;
+  std::size_t longest_edge(const IsoCell& cell) const;
+  double squared_length(std::uint32_t a, std::uint32_t b) const;
+  /// Whether the cell has an edge longer than `within`. Exact.
+  bool is_wide(const IsoCell& cell) const;
+  /// g - c at a point. REQUIRES a point of the closed domain.
+  Rational value_at(const DmsPoint& point);
+  DmsPoint between(std::uint32_t a, std::uint32_t b, const Rational& t) const;
+
+  /// Cuts all cells at an edge of a cell, at the place, or if g is c there, at one of a few near the middle.
+  void cut(std::uint32_t cell, std::size_t edge, const Rational& place);
+  /// Cuts the cell at the plane of three knots that reach into it, if the form is no polynomial and there are such; makes
+  /// the form a polynomial if there are none. False if nothing was done.
+  bool cut_at_knots(std::uint32_t cell);
+  std::vector<std::uint32_t> around(std::uint32_t a, std::uint32_t b) const;
+
+ private:
+  struct LinearTerm {
+    DmsPoint gradient, origin;
+    Rational value;
+  };
+  const LinearTerm& term(const DmsSupport& support);
+  std::array<DmsPoint, 4> points(const IsoCell& cell) const;
+  DmsRegion region(const IsoCell& cell) const;
+  DmsIsoForm first_form(const IsoCell& cell);
+  DmsIsoForm polynomial_on(const IsoCell& cell);
+  void add_cell(IsoCell cell);
+  bool cut_at(std::uint32_t a, std::uint32_t b, const Rational& t, bool may_be_zero);
+  void drop_far_supports(IsoCell& cell) const;
+
+  const DmsModel& model_;
+  const DmsIsoOptions& options_;
+  DmsKnotTable knots_;
+  DmsEvaluator evaluator_;
+  SimplexInterpolation interpolation_;
+  DmsIsoRule rule_;
+  std::unordered_map<std::uint64_t, LinearTerm> terms_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> at_edge_;
+};
+
+}  // namespace veritope::internal

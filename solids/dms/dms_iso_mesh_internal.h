@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/dms/dms_iso_mesh_internal.h: marching tetrahedra.
+#pragma once
+#include "solids/dms/dms_iso.h"
+#include "solids/dms/dms_iso_cells_internal.h"
+
+namespace veritope::internal {
+
+/// The triangles between corners of unlike signs, one vertex on each edge that has such; `components` and `euler` are
+/// theirs. A corner where g = c counts as one where g is more.
+/// @error kNotFinite for a vertex beyond binary64
+Status draw_iso(IsoCells& cells, bool in_solid, DmsIso& out);
+
+}  // namespace veritope::internal

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// tests/solids/dms_iso_test.cc: level sets of known topology, singular levels, conditions of models, and the mesh.
+#include "solids/dms/dms_iso.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "solids/dms/dms_evaluator.h"
+#include "solids/dms/dms_iso_form.h"
+#include "tests/support/dms_level_sets.h"
+
+namespace veritope {
+namespace {
+
+DmsIso find(const LevelSet& set, const Rational& within = Rational(8), std::size_t cells = 20'000) {
+  DmsIsoOptions options;
+  options.level = set.level;
+  options.within = within;
+  options.max_cells = cells;
+  return *find_dms_iso(set.model, options);
+}
+
+void expect_topology(const LevelSet& set, const DmsIso& iso) {
+  EXPECT_TRUE(iso.certified) << set.text << ", in doubt: " << iso.num_undecided;
+  EXPECT_EQ(iso.components, set.components) << set.text;
+  EXPECT_EQ(iso.euler, set.euler) << set.text;
+}
+
+TEST(DmsIso, QuadricsAndSheetsHaveTheirTopology) {
+  for (const LevelSetKind kind :
+       {LevelSetKind::kSphere, LevelSetKind::kEllipsoid, LevelSetKind::kSheets,
+        LevelSetKind::kPlane, LevelSetKind::kOneSheet, LevelSetKind::kTwoSheets})
+    for (const bool is_moved : {false, true}) {
+      const LevelSet set = draw_level_set(7, kind, false, is_moved);
+      expect_topology(set, find(set));
+    }
+}
+
+TEST(DmsIso, SingularLevelsAreNotCertified) {
+  for (int kind = kFirstSingularKind; kind < kLevelSetKinds; ++kind) {
+    const LevelSet set = draw_level_set(3, static_cast<LevelSetKind>(kind), false, true);
+    const DmsIso iso = find(set, Rational(8), 3'000);
+    EXPECT_FALSE(iso.certified) << set.text;
+    EXPECT_GT(iso.num_undecided, 0u) << set.text;
+    EXPECT_FALSE(iso.undecided.empty()) << set.text;
+  }
+}
+
+// A mesh of the unit scale: each directed edge occurs once, vertices are near the sphere, normals point to its inside,
+// where the attribute is less.
+TEST(DmsIso, MeshIsNearTheSphereAndTurnsToLowerValues) {
+  const LevelSet set = draw_level_set(11, LevelSetKind::kSphere, false, false);
+  const DmsIso iso = find(set, Rational(1) / Rational(4));
+  expect_topology(set, iso);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  std::array<double, 3> mean{};
+  for (const Vec3d& p : iso.mesh.positions) {
+    mean[0] += p.x, mean[1] += p.y, mean[2] += p.z;
+  }
+  for (double& m : mean) m /= static_cast<double>(iso.mesh.positions.size());
+  double volume = 0;
+  for (const auto& f : iso.mesh.faces) {
+    std::array<std::array<double, 3>, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_TRUE(edges.emplace(f[k], f[(k + 1) % 3]).second);
+      const Vec3d& v = iso.mesh.positions[f[k]];
+      p[k] = {v.x - mean[0], v.y - mean[1], v.z - mean[2]};
+    }
+    volume += (p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) -
+               p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
+               p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0])) /
+              6;
+  }
+  for (const auto& [a, b] : edges) EXPECT_TRUE(edges.contains({b, a}));
+  const double radius = std::sqrt(nearest_double(set.level));
+  const double ball = 4.18879 * radius * radius * radius;
+  EXPECT_LT(volume, -0.7 * ball);
+  EXPECT_GT(volume, -ball);
+}
+
+TEST(DmsIso, VerticesHaveTheLevelsValue) {
+  for (const bool has_clouds : {false, true}) {
+    const LevelSet set = draw_level_set(5, LevelSetKind::kPlane, has_clouds, false);
+    const DmsIso iso = find(set);
+    expect_topology(set, iso);
+    DmsEvaluator evaluator(set.model);
+    for (const Vec3d& p : iso.mesh.positions) {
+      const auto place = evaluator.locate(
+          {Rational::from_double(p.x), Rational::from_double(p.y), Rational::from_double(p.z)});
+      if (!place) continue;  // rounded out of the domain
+      EXPECT_NEAR(nearest_double(evaluator.evaluate(*place).value[3] - set.level), 0, 1e-14);
+    }
+  }
+}
+
+TEST(DmsIso, CellsThatTheSurfaceCrossesAreSmall) {
+  const LevelSet set = draw_level_set(2, LevelSetKind::kPlane, false, false);
+  const DmsIso coarse = find(set, Rational(8)), fine = find(set, Rational(1) / Rational(4));
+  expect_topology(set, fine);
+  EXPECT_GT(fine.mesh.faces.size(), 4 * coarse.mesh.faces.size());
+  const DmsIso stopped = find(set, Rational(1) / Rational(1000), 2'000);
+  EXPECT_FALSE(stopped.certified);
+  ASSERT_FALSE(stopped.undecided.empty());
+  EXPECT_EQ(stopped.undecided[0].why, DmsIsoDoubt::kWide);
+}
+
+TEST(DmsIso, LevelAtAVertexOfTheDomainIsInDoubt) {
+  LevelSet set = draw_level_set(2, LevelSetKind::kPlane, false, false);
+  set_polynomial_attribute(set.model, [](const DmsPoint& p) { return p[2]; });
+  set.level = Rational(1);
+  const DmsIso iso = find(set);
+  EXPECT_FALSE(iso.certified);
+  ASSERT_FALSE(iso.undecided.empty());
+  EXPECT_EQ(iso.undecided[0].why, DmsIsoDoubt::kVertex);
+}
+
+TEST(DmsIso, ConditionsOfTheModelAreNamed) {
+  const LevelSet set = draw_level_set(2, LevelSetKind::kPlane, false, false);
+  EXPECT_EQ(find_dms_iso_obstacle(set.model, 0), std::nullopt);
+  // Two tetrahedra that share no vertex, and overlap.
+  DmsModel twice = set.model;
+  twice.clouds.clear();
+  twice.tetrahedra = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+  for (const int shift : {0, 1})
+    for (const DmsPoint& p : {DmsPoint{Rational(0), Rational(0), Rational(0)},
+                              DmsPoint{Rational(4), Rational(0), Rational(0)},
+                              DmsPoint{Rational(0), Rational(4), Rational(0)},
+                              DmsPoint{Rational(0), Rational(0), Rational(4)}})
+      twice.clouds.push_back({{p[0] + Rational(shift), p[1], p[2]}});
+  set_polynomial_attribute(twice, [](const DmsPoint& p) { return p[2]; });
+  EXPECT_EQ(find_dms_iso_obstacle(twice, 0), "domain-overlap");
+  // Two cubes that share an edge only.
+  DmsModel pinched = kuhn_domain({2, 2, 1}, [](int x, int y, int) { return x == y; });
+  set_polynomial_attribute(pinched, [](const DmsPoint& p) { return p[2]; });
+  EXPECT_EQ(find_dms_iso_obstacle(pinched, 0), "domain-pinched");
+  // A knot of a vertex on the boundary that reaches into the domain.
+  DmsModel inside = set.model;
+  const DmsPoint corner = inside.clouds[4][0];
+  inside.clouds[4] = {corner,
+                      {corner[0] + Rational(1) / Rational(9), corner[1] + Rational(1) / Rational(9),
+                       corner[2] + Rational(1) / Rational(9)}};
+  EXPECT_EQ(find_dms_iso_obstacle(inside, 0), "cloud-inside");
+}
+
+// The two parts of a cut have the values of the whole: along random rational points of edges.
+TEST(DmsIsoRule, CutsKeepThePolynomial) {
+  const int n = 3;
+  const DmsIsoRule rule(n);
+  Random random(1);
+  DmsIsoForm form{true, {}, {}};
+  for (std::size_t i = 0; i < num_tetrahedral_indices(n); ++i)
+    form.numbers.push_back(Interval(static_cast<double>(random.between(-8, 8))));
+  for (std::size_t e = 0; e < kDmsEdges.size(); ++e) {
+    const auto [first, second] = rule.cut(form, e, Rational(1) / Rational(4));
+    const std::vector<Interval> b = rule.along_edge(form, e);
+    const auto value = [](const std::vector<Interval>& c, double t) {
+      const double s = 1 - t;
+      return c[0].lo() * s * s * s + 3 * c[1].lo() * s * s * t + 3 * c[2].lo() * s * t * t +
+             c[3].lo() * t * t * t;
+    };
+    EXPECT_NEAR(value(rule.along_edge(first, e), 0.5), value(b, 0.125), 1e-12);
+    EXPECT_NEAR(value(rule.along_edge(second, e), 0.5), value(b, 0.625), 1e-12);
+    // Along the other edges at the corner that stays nothing changes.
+    const auto [i, j] = kDmsEdges[e];
+    for (std::size_t other = 0; other < kDmsEdges.size(); ++other) {
+      const auto [k, l] = kDmsEdges[other];
+      if (k != j && l != j) {
+        EXPECT_EQ(rule.along_edge(first, other)[1], rule.along_edge(form, other)[1]);
+      }
+      if (k != i && l != i) {
+        EXPECT_EQ(rule.along_edge(second, other)[1], rule.along_edge(form, other)[1]);
+      }
+    }
+  }
+}
+
+TEST(DmsIsoRule, OpenAreSimplicesWithoutSignAndGrowth) {
+  const DmsIsoRule rule(1);
+  const auto linear = [](double a, double b, double c, double d) {
+    return DmsIsoForm{true, {Interval(a), Interval(b), Interval(c), Interval(d)}, {}};
+  };
+  EXPECT_EQ(rule.find_open(linear(-1, 2, 3, 4)), std::nullopt);
+  EXPECT_EQ(rule.find_open(linear(1, 1, 1, 1)), std::nullopt);
+  EXPECT_EQ(rule.find_open(linear(0, 0, 1, 1)), DmsCorners{3});
+  EXPECT_EQ(rule.find_open(linear(0, 0, 0, 1)), DmsCorners{7});
+  EXPECT_EQ(rule.find_open(linear(0, 0, 0, 0)), kAllCorners);
+  EXPECT_EQ(rule.sign_on(linear(1, 0, 2, 3), kAllCorners), 0);
+  EXPECT_EQ(rule.sign_on(linear(1, 0, 2, 3), 13), 1);
+}
+
+}  // namespace
+}  // namespace veritope

@@ -64,25 +64,35 @@ class IsoSearch {
     }
   }
 
-  // Cuts cells on which the rule is not proved, in the order in which they came.
+  // Cuts cells on which the rule is not proved: first all at extrema of edges, then, in the order in which they came, the
+  // others.
   void prove() {
+    std::deque<std::uint32_t> later;
     std::uint32_t next = 0;
-    for (; next < cells_.cells.size(); ++next) {
-      is_proved_.push_back(false);
-      if (!is_of_interest(next) || cells_.has_zero(cells_.cells[next])) continue;
-      auto open = cells_.rule().find_open(cells_.cells[next].form);
-      if (!open) {
-        is_proved_[next] = true;
-        continue;
+    while (next < cells_.cells.size() || !later.empty()) {
+      if (next < cells_.cells.size()) {
+        is_proved_.push_back(false);
+        if (!look_at(next, true)) later.push_back(next);
+        ++next;
+      } else {
+        look_at(later.front(), false);
+        later.pop_front();
       }
-      if (is_full() || cells_.cells[next].rounds >= options_.max_rounds) continue;
-      const int round = ++cells_.cells[next].rounds;
-      if (cut_at_knots(next, round, open)) continue;
-      if (!open) continue;
-      const DmsIsoForm& form = cells_.cells[next].form;
-      const std::size_t edge = cells_.rule().widest_edge(form, *open);
-      cells_.cut(next, edge, cells_.rule().cut_place(form, edge));
     }
+  }
+  // False if the cell waits for a cut that is not at an extremum.
+  bool look_at(std::uint32_t number, bool at_extrema) {
+    if (!is_of_interest(number) || cells_.has_zero(cells_.cells[number])) return true;
+    auto open = cells_.rule().find_open(cells_.cells[number].form);
+    is_proved_[number] = !open;
+    if (!open || is_full() || cells_.cells[number].rounds >= options_.max_rounds) return true;
+    DmsIsoCut cut = cells_.rule().choose_cut(cells_.cells[number].form, *open);
+    if (at_extrema && !cut.is_extremum) return false;
+    const int round = ++cells_.cells[number].rounds;
+    if (cut_at_knots(number, round, open) || !open) return true;
+    cut = cells_.rule().choose_cut(cells_.cells[number].form, *open);
+    cells_.cut(number, cut.edge, cut.place);
+    return true;
   }
   // Whether the cell was cut there. If it is found to have one polynomial, `open` is what is open then.
   bool cut_at_knots(std::uint32_t number, int round, std::optional<DmsCorners>& open) {

@@ -42,16 +42,19 @@ double bernstein_value(std::vector<double> b, double t) {
 std::optional<double> sign_change(const std::vector<double>& b) {
   if (!(b.front() * b.back() < 0)) return std::nullopt;
   double low = 0, high = 1;
-  for (int k = 0; k < 40; ++k) {
+  for (int k = 0; k < 60; ++k) {
     const double t = (low + high) / 2;
     (bernstein_value(b, t) * b.front() > 0 ? low : high) = t;
   }
   return (low + high) / 2;
 }
+// About 34 bits of the distance from the nearer end.
 Rational few_bits(double t) {
-  constexpr double kUnit = 0x1p-30;
-  const double steps = std::round(t / kUnit);
-  return Rational::from_double(std::clamp(steps * kUnit, kUnit, 1 - kUnit));
+  const double near = std::max(std::min(t, 1 - t), 0x1p-40);
+  const double unit = std::ldexp(1.0, std::ilogb(near) - 34),
+               rounded = std::round(near / unit) * unit;
+  const Rational distance = Rational::from_double(rounded);
+  return t < 0.5 ? distance : Rational(1) - distance;
 }
 
 // A direction along which all terms grow: the mean of their directions, turned to the one that is most against it.
@@ -190,22 +193,40 @@ std::size_t DmsIsoRule::widest_edge(const DmsIsoForm& form, DmsCorners corners) 
   return found;
 }
 
-Rational DmsIsoRule::cut_place(const DmsIsoForm& form, std::size_t edge) const {
-  constexpr double kNearEnd = 1.0 / 16, kNearLevel = 1.0 / 4;
-  const Rational middle = Rational(1) / Rational(2);
+// Where g has an extremum along the edge, if g - c has another sign there than at an end, and unless the level is much farther from the same end than that; near such an end
+// halfway between it and the level; else the middle.
+DmsIsoCut DmsIsoRule::cut_of_edge(const DmsIsoForm& form, std::size_t edge) const {
+  constexpr double kMuchFarther = 64, kNearLevel = 1.0 / 4, kFlat = 1.0 / 16;
+  const DmsIsoCut middle{edge, Rational(1) / Rational(2), false};
   if (!form.is_polynomial || degree_ < 2) return middle;
   std::vector<double> values, slopes;
   for (const Interval& x : along_edge(form, edge)) values.push_back(middle_of(x));
   for (std::size_t k = 0; k + 1 < values.size(); ++k) slopes.push_back(values[k + 1] - values[k]);
-  const auto extremum = sign_change(slopes);
-  if (extremum && *extremum > kNearEnd && *extremum < 1 - kNearEnd) return few_bits(*extremum);
-  const auto level = sign_change(values);
+  const auto extremum = sign_change(slopes), level = sign_change(values);
+  const double most = extremum ? bernstein_value(values, *extremum) : 0;
+  if (extremum && (most * values.front() < 0 || most * values.back() < 0)) {
+    const double from_end = std::min(*extremum, 1 - *extremum);
+    const double to_level = !level ? 1 : *extremum < 0.5 ? *level : 1 - *level;
+    if (kMuchFarther * from_end > to_level) return {edge, few_bits(*extremum), true};
+  }
   if (!level) return middle;
-  const bool is_flat_at_0 = std::abs(slopes.front()) < kNearEnd * std::abs(slopes.back());
-  const bool is_flat_at_1 = std::abs(slopes.back()) < kNearEnd * std::abs(slopes.front());
-  if (is_flat_at_0 && *level < kNearLevel) return few_bits(*level / 2);
-  if (is_flat_at_1 && *level > 1 - kNearLevel) return few_bits((1 + *level) / 2);
+  const bool is_flat_at_0 = std::abs(slopes.front()) < kFlat * std::abs(slopes.back());
+  const bool is_flat_at_1 = std::abs(slopes.back()) < kFlat * std::abs(slopes.front());
+  if (is_flat_at_0 && *level < kNearLevel) return {edge, few_bits(*level / 2), false};
+  if (is_flat_at_1 && *level > 1 - kNearLevel) return {edge, few_bits((1 + *level) / 2), false};
   return middle;
+}
+
+// An edge with an extremum, if g is not proved to keep its sign on it; else the one along which the derivative varies
+// most.
+DmsIsoCut DmsIsoRule::choose_cut(const DmsIsoForm& form, DmsCorners corners) const {
+  for (std::size_t e = 0; e < kDmsEdges.size(); ++e) {
+    const DmsCorners ends = 1u << kDmsEdges[e][0] | 1u << kDmsEdges[e][1];
+    if ((ends & ~corners) != 0 || sign_on(form, ends) != 0) continue;
+    DmsIsoCut cut = cut_of_edge(form, e);
+    if (cut.is_extremum) return cut;
+  }
+  return cut_of_edge(form, widest_edge(form, corners));
 }
 
 std::pair<DmsIsoForm, DmsIsoForm> DmsIsoRule::cut(const DmsIsoForm& form, std::size_t edge,

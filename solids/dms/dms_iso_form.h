@@ -29,6 +29,13 @@ struct DmsIsoForm {
   std::vector<DmsSupport> supports;  ///< if it is no polynomial; four numbers for each
 };
 
+/// An edge and a place on it, strictly between 0 and 1.
+struct DmsIsoCut {
+  std::size_t edge = 0;
+  Rational place;
+  bool is_extremum = false;  ///< g has an extremum along the edge there
+};
+
 /// Works on forms of one degree. @cost of each function: linear in the numbers of a form, but for find_open
 class DmsIsoRule {
  public:
@@ -44,11 +51,8 @@ class DmsIsoRule {
   bool is_monotone_on(const DmsIsoForm& form, DmsCorners corners) const;
   /// The first of the tetrahedron, its faces and its edges for which neither is proved; nothing if there is none.
   std::optional<DmsCorners> find_open(const DmsIsoForm& form) const;
-  /// The edge of the simplex along which the derivative has the widest bounds.
-  std::size_t widest_edge(const DmsIsoForm& form, DmsCorners corners) const;
-  /// Where a cut of the edge helps the proof, rounded to few bits, strictly between 0 and 1: where g has an extremum along
-  /// the edge; near one at an end, halfway between that and the level; else the middle. Nothing is proved of it.
-  Rational cut_place(const DmsIsoForm& form, std::size_t edge) const;
+  /// Where to cut next, if a simplex is open. Nothing is proved of it. REQUIRES two corners or more.
+  DmsIsoCut choose_cut(const DmsIsoForm& form, DmsCorners corners) const;
   /// The forms of the parts with the point (1 - t) a + t b in the place of b, and of a, for the corners a, b of an edge.
   /// REQUIRES 0 < t < 1.
   std::pair<DmsIsoForm, DmsIsoForm> cut(const DmsIsoForm& form, std::size_t edge,
@@ -56,6 +60,8 @@ class DmsIsoRule {
 
  private:
   using Row = std::array<const Interval*, 4>;
+  std::size_t widest_edge(const DmsIsoForm& form, DmsCorners corners) const;
+  DmsIsoCut cut_of_edge(const DmsIsoForm& form, std::size_t edge) const;
   std::vector<Row> rows(const DmsIsoForm& form, DmsCorners corners) const;
 
   int degree_;

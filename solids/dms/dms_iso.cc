@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <memory>
 #include <queue>
 #include <utility>
 
@@ -17,10 +18,15 @@ using internal::IsoCells;
 
 class IsoSearch {
  public:
-  IsoSearch(IsoCells& cells, const DmsIsoOptions& options) : cells_(cells), options_(options) {}
+  IsoSearch(IsoCells& cells, const DmsIsoOptions& options, bool extrema_first)
+      : cells_(cells),
+        options_(options),
+        extrema_first_(extrema_first),
+        max_cells_(options.max_cells) {}
 
   void run() {
     narrow();
+    if (extrema_first_) max_cells_ = std::min(max_cells_, 2 * cells_.num_alive + kFirstCells);
     prove();
   }
   /// Why the cell is in doubt. REQUIRES run().
@@ -39,7 +45,8 @@ class IsoSearch {
       return cells_.vertices[v].sign != cells_.vertices[cell.corners[0]].sign;
     });
   }
-  bool is_full() const { return cells_.num_alive >= options_.max_cells; }
+  static constexpr std::size_t kFirstCells = 4000;
+  bool is_full() const { return cells_.num_alive >= max_cells_; }
   bool is_of_interest(std::uint32_t number) const {
     return cells_.cells[number].is_alive && cells_.cells[number].off == 0;
   }
@@ -64,15 +71,15 @@ class IsoSearch {
     }
   }
 
-  // Cuts cells on which the rule is not proved: first all at extrema of edges, then, in the order in which they came, the
-  // others.
+  // Cuts cells on which the rule is not proved, in the order in which they came; with `extrema_first` those last that have
+  // no edge with an extremum.
   void prove() {
     std::deque<std::uint32_t> later;
     std::uint32_t next = 0;
     while (next < cells_.cells.size() || !later.empty()) {
       if (next < cells_.cells.size()) {
         is_proved_.push_back(false);
-        if (!look_at(next, true)) later.push_back(next);
+        if (!look_at(next, extrema_first_)) later.push_back(next);
         ++next;
       } else {
         look_at(later.front(), false);
@@ -81,16 +88,18 @@ class IsoSearch {
     }
   }
   // False if the cell waits for a cut that is not at an extremum.
-  bool look_at(std::uint32_t number, bool at_extrema) {
+  bool look_at(std::uint32_t number, bool only_extrema) {
     if (!is_of_interest(number) || cells_.has_zero(cells_.cells[number])) return true;
     auto open = cells_.rule().find_open(cells_.cells[number].form);
     is_proved_[number] = !open;
     if (!open || is_full() || cells_.cells[number].rounds >= options_.max_rounds) return true;
-    DmsIsoCut cut = cells_.rule().choose_cut(cells_.cells[number].form, *open);
-    if (at_extrema && !cut.is_extremum) return false;
+    const auto choose = [&] {
+      return cells_.rule().choose_cut(cells_.cells[number].form, *open, extrema_first_);
+    };
+    if (only_extrema && !choose().is_extremum) return false;
     const int round = ++cells_.cells[number].rounds;
     if (cut_at_knots(number, round, open) || !open) return true;
-    cut = cells_.rule().choose_cut(cells_.cells[number].form, *open);
+    const DmsIsoCut cut = choose();
     cells_.cut(number, cut.edge, cut.place);
     return true;
   }
@@ -106,8 +115,25 @@ class IsoSearch {
 
   IsoCells& cells_;
   const DmsIsoOptions& options_;
+  bool extrema_first_;
+  std::size_t max_cells_;
   std::vector<bool> is_proved_;
 };
+
+void list_doubts(const IsoCells& cells, const IsoSearch& search, std::size_t max_listed,
+                 DmsIso& out) {
+  out.num_undecided = 0;
+  out.undecided.clear();
+  for (std::uint32_t c = 0; c < cells.cells.size(); ++c) {
+    const auto why = search.doubt(c);
+    if (!why || ++out.num_undecided > max_listed) continue;
+    DmsIsoCell& cell = out.undecided.emplace_back();
+    cell.tetrahedron = cells.cells[c].tetrahedron;
+    cell.why = *why;
+    for (std::size_t m = 0; m < 4; ++m)
+      cell.corners[m] = cells.vertices[cells.cells[c].corners[m]].at;
+  }
+}
 
 }  // namespace
 
@@ -124,21 +150,18 @@ Result<DmsIso> find_dms_iso(const DmsModel& model, const DmsIsoOptions& options,
                             std::size_t max_listed) {
   DmsIso out;
   out.obstacle = find_dms_iso_obstacle(model, options.attribute);
-  IsoCells cells(model, options);
-  IsoSearch search(cells, options);
-  search.run();
-  for (std::uint32_t c = 0; c < cells.cells.size(); ++c) {
-    const auto why = search.doubt(c);
-    if (!why || ++out.num_undecided > max_listed) continue;
-    DmsIsoCell& cell = out.undecided.emplace_back();
-    cell.tetrahedron = cells.cells[c].tetrahedron;
-    cell.why = *why;
-    for (std::size_t m = 0; m < 4; ++m)
-      cell.corners[m] = cells.vertices[cells.cells[c].corners[m]].at;
+  // The first search is short and separates sheets; the second one is for all else.
+  std::unique_ptr<IsoCells> cells;
+  for (const bool extrema_first : {true, false}) {
+    cells = std::make_unique<IsoCells>(model, options);
+    IsoSearch search(*cells, options, extrema_first);
+    search.run();
+    list_doubts(*cells, search, max_listed, out);
+    if (out.num_undecided == 0) break;
   }
   out.certified = !out.obstacle && out.num_undecided == 0;
-  out.cells = cells.num_alive;
-  if (const Status status = internal::draw_iso(cells, options.in_solid, out); !status)
+  out.cells = cells->num_alive;
+  if (const Status status = internal::draw_iso(*cells, options.in_solid, out); !status)
     return status.error();
   return out;
 }

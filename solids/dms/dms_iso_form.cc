@@ -193,10 +193,11 @@ std::size_t DmsIsoRule::widest_edge(const DmsIsoForm& form, DmsCorners corners) 
   return found;
 }
 
-// Where g has an extremum along the edge, if g - c has another sign there than at an end, and unless the level is much farther from the same end than that; near such an end
-// halfway between it and the level; else the middle.
-DmsIsoCut DmsIsoRule::cut_of_edge(const DmsIsoForm& form, std::size_t edge) const {
-  constexpr double kMuchFarther = 64, kNearLevel = 1.0 / 4, kFlat = 1.0 / 16;
+// Where g has an extremum along the edge: not near an end; or with `extrema_first`, where g - c has another sign than at
+// an end, and the level is not much farther from that end. Near such an end halfway between it and the level; else the middle.
+DmsIsoCut DmsIsoRule::cut_of_edge(const DmsIsoForm& form, std::size_t edge,
+                                  bool extrema_first) const {
+  constexpr double kMuchFarther = 64, kNearEnd = 1.0 / 16, kNearLevel = 1.0 / 4, kFlat = 1.0 / 16;
   const DmsIsoCut middle{edge, Rational(1) / Rational(2), false};
   if (!form.is_polynomial || degree_ < 2) return middle;
   std::vector<double> values, slopes;
@@ -204,8 +205,9 @@ DmsIsoCut DmsIsoRule::cut_of_edge(const DmsIsoForm& form, std::size_t edge) cons
   for (std::size_t k = 0; k + 1 < values.size(); ++k) slopes.push_back(values[k + 1] - values[k]);
   const auto extremum = sign_change(slopes), level = sign_change(values);
   const double most = extremum ? bernstein_value(values, *extremum) : 0;
-  if (extremum && (most * values.front() < 0 || most * values.back() < 0)) {
-    const double from_end = std::min(*extremum, 1 - *extremum);
+  const double from_end = extremum ? std::min(*extremum, 1 - *extremum) : 0;
+  if (!extrema_first && from_end > kNearEnd) return {edge, few_bits(*extremum), true};
+  if (extrema_first && extremum && (most * values.front() < 0 || most * values.back() < 0)) {
     const double to_level = !level ? 1 : *extremum < 0.5 ? *level : 1 - *level;
     if (kMuchFarther * from_end > to_level) return {edge, few_bits(*extremum), true};
   }
@@ -217,16 +219,17 @@ DmsIsoCut DmsIsoRule::cut_of_edge(const DmsIsoForm& form, std::size_t edge) cons
   return middle;
 }
 
-// An edge with an extremum, if g is not proved to keep its sign on it; else the one along which the derivative varies
-// most.
-DmsIsoCut DmsIsoRule::choose_cut(const DmsIsoForm& form, DmsCorners corners) const {
-  for (std::size_t e = 0; e < kDmsEdges.size(); ++e) {
+// With `extrema_first` an edge with an extremum on which g - c is not proved to keep its sign; else, and if there is none, the
+// edge along which the derivative varies most.
+DmsIsoCut DmsIsoRule::choose_cut(const DmsIsoForm& form, DmsCorners corners,
+                                 bool extrema_first) const {
+  for (std::size_t e = 0; extrema_first && e < kDmsEdges.size(); ++e) {
     const DmsCorners ends = 1u << kDmsEdges[e][0] | 1u << kDmsEdges[e][1];
     if ((ends & ~corners) != 0 || sign_on(form, ends) != 0) continue;
-    DmsIsoCut cut = cut_of_edge(form, e);
+    DmsIsoCut cut = cut_of_edge(form, e, true);
     if (cut.is_extremum) return cut;
   }
-  return cut_of_edge(form, widest_edge(form, corners));
+  return cut_of_edge(form, widest_edge(form, corners), extrema_first);
 }
 
 std::pair<DmsIsoForm, DmsIsoForm> DmsIsoRule::cut(const DmsIsoForm& form, std::size_t edge,

@@ -51,8 +51,9 @@ class DmsIsoRule {
   bool is_monotone_on(const DmsIsoForm& form, DmsCorners corners) const;
   /// The first of the tetrahedron, its faces and its edges for which neither is proved; nothing if there is none.
   std::optional<DmsCorners> find_open(const DmsIsoForm& form) const;
-  /// Where to cut next, if a simplex is open. Nothing is proved of it. REQUIRES two corners or more.
-  DmsIsoCut choose_cut(const DmsIsoForm& form, DmsCorners corners) const;
+  /// Where to cut next, if a simplex is open; with `extrema_first` at an extremum of any edge that g - c is not proved to
+  /// keep its sign on. Nothing is proved of the place. REQUIRES two corners or more.
+  DmsIsoCut choose_cut(const DmsIsoForm& form, DmsCorners corners, bool extrema_first) const;
   /// The forms of the parts with the point (1 - t) a + t b in the place of b, and of a, for the corners a, b of an edge.
   /// REQUIRES 0 < t < 1.
   std::pair<DmsIsoForm, DmsIsoForm> cut(const DmsIsoForm& form, std::size_t edge,
@@ -61,7 +62,7 @@ class DmsIsoRule {
  private:
   using Row = std::array<const Interval*, 4>;
   std::size_t widest_edge(const DmsIsoForm& form, DmsCorners corners) const;
-  DmsIsoCut cut_of_edge(const DmsIsoForm& form, std::size_t edge) const;
+  DmsIsoCut cut_of_edge(const DmsIsoForm& form, std::size_t edge, bool extrema_first) const;
   std::vector<Row> rows(const DmsIsoForm& form, DmsCorners corners) const;
 
   int degree_;

@@ -123,10 +123,13 @@ class IsoDrawing {
     double low = 0, high = 1;
     double at_low = nearest_double(cells_.value_at(cells_.vertices[a].at));
     double at_high = nearest_double(cells_.value_at(cells_.vertices[b].at));
+    double before = -1;
     int last = 0;
     for (int k = 0; k < kMostValues && high - low > 0x1p-52; ++k) {
       double t = low + (high - low) * (at_low / (at_low - at_high));
       if (!(t > low && t < high)) t = low / 2 + high / 2;
+      if (std::abs(t - before) <= 0x1p-52) return t;
+      before = t;
       const Rational value = cells_.value_at(cells_.between(a, b, Rational::from_double(t)));
       if (value.sign() == Sign::kZero) return t;
       const bool is_low = (value.sign() == Sign::kPositive) == (sign > 0);

@@ -62,8 +62,8 @@ class DmsIso(Folder):
 
     def test_surfaces_are_written_in_three_formats_and_in_space(self):
         for name in ("f.off", "f.ply", "f.obj"):
-            self.iso(output=name)
-            self.assertIn("triangles", run("info", name, cwd=self.folder).stdout)
+            answer = self.iso(output=name)
+            self.assertIn(f'{answer["triangles"]} faces', run("info", name, cwd=self.folder).stdout)
         domain = (self.folder / "f.off").read_bytes()
         answer = self.iso("--space", "solid")  # the map is the identity
         self.assertEqual((answer["space"], (self.folder / "f.off").read_bytes()), ("solid", domain))

@@ -81,18 +81,32 @@ TEST(DmsIso, MeshIsNearTheSphereAndTurnsToLowerValues) {
 }
 
 TEST(DmsIso, VerticesHaveTheLevelsValue) {
-  for (const bool has_clouds : {false, true}) {
-    const LevelSet set = draw_level_set(5, LevelSetKind::kPlane, has_clouds, false);
-    const DmsIso iso = find(set);
-    expect_topology(set, iso);
-    DmsEvaluator evaluator(set.model);
-    for (const Vec3d& p : iso.mesh.positions) {
-      const auto place = evaluator.locate(
-          {Rational::from_double(p.x), Rational::from_double(p.y), Rational::from_double(p.z)});
-      if (!place) continue;  // rounded out of the domain
-      EXPECT_NEAR(nearest_double(evaluator.evaluate(*place).value[3] - set.level), 0, 1e-14);
-    }
+  const LevelSet set = draw_level_set(5, LevelSetKind::kSphere, false, false);
+  const DmsIso iso = find(set);
+  expect_topology(set, iso);
+  DmsEvaluator evaluator(set.model);
+  for (const Vec3d& p : iso.mesh.positions) {
+    const auto place = evaluator.locate(
+        {Rational::from_double(p.x), Rational::from_double(p.y), Rational::from_double(p.z)});
+    ASSERT_TRUE(place.has_value());
+    EXPECT_NEAR(nearest_double(evaluator.evaluate(*place).value[3] - set.level), 0, 1e-14);
   }
+}
+
+// Triangles of knots reach into all cells: the hulls of the terms prove it.
+TEST(DmsIso, CloudsOfSeveralKnots) {
+  LevelSet set;
+  set.model = kuhn_domain({1, 1, 1});
+  set.model.degree = 2;
+  internal::draw_clouds(set.model, {Rational(1) / Rational(50), 1});
+  set_polynomial_attribute(
+      set.model, [](const DmsPoint& p) { return p[2] + p[0] / Rational(7) + p[1] / Rational(9); });
+  set.level = Rational(2) / Rational(3);
+  set.components = 1;
+  set.euler = 1;
+  const DmsIso iso = find(set);
+  expect_topology(set, iso);
+  for (const Vec3d& p : iso.mesh.positions) EXPECT_NEAR(p.z + p.x / 7 + p.y / 9, 2.0 / 3, 1e-14);
 }
 
 TEST(DmsIso, CellsThatTheSurfaceCrossesAreSmall) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_dms_iso.cc: --rounds N --seed S [--cells N] [--kind K]. Isosurfaces of polynomial attributes
-// (tests/support/dms_level_sets.h), N of each kind, half of them after affine maps: those certified with a topology that
-// is not theirs, or at a singular level. One JSON line a figure.
+// bench/soak_dms_iso.cc: --rounds N --seed S [--cells N] [--kind K] [--clouds 1]. Isosurfaces of polynomial attributes
+// (tests/support/dms_level_sets.h), N of each kind, half of them after affine maps: those certified with a topology
+// that is not theirs, or at a singular level. One JSON line a figure.
 #include <cstdio>
 #include <string>
 

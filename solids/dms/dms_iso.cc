@@ -71,8 +71,8 @@ class IsoSearch {
     }
   }
 
-  // Cuts cells on which the rule is not proved, in the order in which they came; with `extrema_first` those last that have
-  // no edge with an extremum.
+  // Cuts cells on which the rule is not proved, in the order in which they came; with `extrema_first` those last whose
+  // edges have no extremum.
   void prove() {
     std::deque<std::uint32_t> later;
     std::uint32_t next = 0;

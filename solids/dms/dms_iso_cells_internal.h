@@ -53,8 +53,8 @@ class IsoCells {
 
   /// Cuts all cells at an edge of a cell, at the place, or if g is c there, at one of a few near the middle.
   void cut(std::uint32_t cell, std::size_t edge, const Rational& place);
-  /// Cuts the cell at the plane of three knots that reach into it, if the form is no polynomial and there are such; makes
-  /// the form a polynomial if there are none. False if nothing was done.
+  /// Cuts the cell at the plane of three knots that reach into it; where no three do, the form becomes a polynomial.
+  /// False if nothing was done, and for a polynomial.
   bool cut_at_knots(std::uint32_t cell);
   std::vector<std::uint32_t> around(std::uint32_t a, std::uint32_t b) const;
 

@@ -48,7 +48,7 @@ std::optional<double> sign_change(const std::vector<double>& b) {
   }
   return (low + high) / 2;
 }
-// About 34 bits of the distance from the nearer end.
+// Some 34 bits of the distance from the nearer end.
 Rational few_bits(double t) {
   const double near = std::max(std::min(t, 1 - t), 0x1p-40);
   const double unit = std::ldexp(1.0, std::ilogb(near) - 34),
@@ -193,8 +193,9 @@ std::size_t DmsIsoRule::widest_edge(const DmsIsoForm& form, DmsCorners corners) 
   return found;
 }
 
-// Where g has an extremum along the edge: not near an end; or with `extrema_first`, where g - c has another sign than at
-// an end, and the level is not much farther from that end. Near such an end halfway between it and the level; else the middle.
+// Where g has an extremum along the edge that is not near an end; with `extrema_first`, one where g - c has another sign
+// than at an end, if the level is not much farther from that end. Near such an end halfway between it and the level;
+// else the middle.
 DmsIsoCut DmsIsoRule::cut_of_edge(const DmsIsoForm& form, std::size_t edge,
                                   bool extrema_first) const {
   constexpr double kMuchFarther = 64, kNearEnd = 1.0 / 16, kNearLevel = 1.0 / 4, kFlat = 1.0 / 16;
@@ -219,7 +220,7 @@ DmsIsoCut DmsIsoRule::cut_of_edge(const DmsIsoForm& form, std::size_t edge,
   return middle;
 }
 
-// With `extrema_first` an edge with an extremum on which g - c is not proved to keep its sign; else, and if there is none, the
+// With `extrema_first` an edge with an extremum on which g - c is not proved to keep its sign. Where there is not any, the
 // edge along which the derivative varies most.
 DmsIsoCut DmsIsoRule::choose_cut(const DmsIsoForm& form, DmsCorners corners,
                                  bool extrema_first) const {

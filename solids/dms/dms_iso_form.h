@@ -26,7 +26,7 @@ inline constexpr std::array<std::array<std::size_t, 2>, 6> kDmsEdges = {
 struct DmsIsoForm {
   bool is_polynomial = false;
   std::vector<Interval> numbers;
-  std::vector<DmsSupport> supports;  ///< if it is no polynomial; four numbers for each
+  std::vector<DmsSupport> supports;  ///< of the affine functions; four numbers for each
 };
 
 /// An edge and a place on it, strictly between 0 and 1.
@@ -49,10 +49,10 @@ class DmsIsoRule {
   int sign_on(const DmsIsoForm& form, DmsCorners corners) const;
   /// Whether g is proved to grow strictly along a direction parallel to the simplex, everywhere on it.
   bool is_monotone_on(const DmsIsoForm& form, DmsCorners corners) const;
-  /// The first of the tetrahedron, its faces and its edges for which neither is proved; nothing if there is none.
+  /// The first of the tetrahedron, its faces and its edges for which neither is proved, if there is one.
   std::optional<DmsCorners> find_open(const DmsIsoForm& form) const;
-  /// Where to cut next, if a simplex is open; with `extrema_first` at an extremum of any edge that g - c is not proved to
-  /// keep its sign on. Nothing is proved of the place. REQUIRES two corners or more.
+  /// Where to cut next, if a simplex is open; with `extrema_first` at an extremum of any edge on which g - c is not
+  /// proved to keep its sign. Nothing is proved of the place. REQUIRES two corners or more.
   DmsIsoCut choose_cut(const DmsIsoForm& form, DmsCorners corners, bool extrema_first) const;
   /// The forms of the parts with the point (1 - t) a + t b in the place of b, and of a, for the corners a, b of an edge.
   /// REQUIRES 0 < t < 1.

@@ -193,8 +193,8 @@ std::size_t DmsIsoRule::widest_edge(const DmsIsoForm& form, DmsCorners corners) 
   return found;
 }
 
-// Where g has an extremum along the edge that is not near an end; with `extrema_first`, one where g - c has another sign
-// than at an end, if the level is not much farther from that end. Near such an end halfway between it and the level;
+// Where g has an extremum along the edge that is not near an end; with `extrema_first`, one where g - c has another
+// sign than at an end, if the level is not much farther from that end. Near such an end halfway between it and the level;
 // else the middle.
 DmsIsoCut DmsIsoRule::cut_of_edge(const DmsIsoForm& form, std::size_t edge,
                                   bool extrema_first) const {
@@ -220,8 +220,8 @@ DmsIsoCut DmsIsoRule::cut_of_edge(const DmsIsoForm& form, std::size_t edge,
   return middle;
 }
 
-// With `extrema_first` an edge with an extremum on which g - c is not proved to keep its sign. Where there is not any, the
-// edge along which the derivative varies most.
+// With `extrema_first` an edge with an extremum on which g - c is not proved to keep its sign. Where there is not any,
+// the edge along which the derivative varies most.
 DmsIsoCut DmsIsoRule::choose_cut(const DmsIsoForm& form, DmsCorners corners,
                                  bool extrema_first) const {
   for (std::size_t e = 0; extrema_first && e < kDmsEdges.size(); ++e) {

@@ -54,7 +54,8 @@ class DmsIsoRule {
   /// Where to cut next, if a simplex is open; with `extrema_first` at an extremum of any edge on which g - c is not
   /// proved to keep its sign. Nothing is proved of the place. REQUIRES two corners or more.
   DmsIsoCut choose_cut(const DmsIsoForm& form, DmsCorners corners, bool extrema_first) const;
-  /// The forms of the parts with the point (1 - t) a + t b in the place of b, and of a, for the corners a, b of an edge.
+  /// The forms of the parts with the point (1 - t) a + t b in the place of b, and of a, for the corners a, b of an
+  /// edge.
   /// REQUIRES 0 < t < 1.
   std::pair<DmsIsoForm, DmsIsoForm> cut(const DmsIsoForm& form, std::size_t edge,
                                         const Rational& t) const;

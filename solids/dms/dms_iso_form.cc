@@ -194,8 +194,8 @@ std::size_t DmsIsoRule::widest_edge(const DmsIsoForm& form, DmsCorners corners) 
 }
 
 // Where g has an extremum along the edge that is not near an end; with `extrema_first`, one where g - c has another
-// sign than at an end, if the level is not much farther from that end. Near such an end halfway between it and the level;
-// else the middle.
+// sign than at an end, if the level is not much farther from that end. Near such an end halfway between it and the
+// level; else the middle.
 DmsIsoCut DmsIsoRule::cut_of_edge(const DmsIsoForm& form, std::size_t edge,
                                   bool extrema_first) const {
   constexpr double kMuchFarther = 64, kNearEnd = 1.0 / 16, kNearLevel = 1.0 / 4, kFlat = 1.0 / 16;

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <charconv>
+#include <string>
 #include <system_error>
+#include <utility>
 
 #include "report/decimal_text.h"
 #include "report/dms_defects_json.h"
@@ -96,7 +98,7 @@ std::string dms_iso_json(const DmsIsoReport& report) {
   out["level"] = fraction_text(report.level);
   out["within"] = fraction_text(report.within);
   out["space"] = report.in_solid ? "solid" : "domain";
-  out["defects"] = defects_json(report.defects);
+  out["defects"] = dms_defects_json(report.defects);
   out["seconds"] = seconds_json(report.seconds);
   out["certified"] = iso && iso->certified;
   out["obstacle"] = iso ? optional_json(iso->obstacle) : Json(nullptr);

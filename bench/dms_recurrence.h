@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/dms_recurrence.h: two peers for FastDms: eq. 1 of [HHQ04] in plain binary64, without bounds and without decisions
-// about points on planes. For one tetrahedron everything that does not depend on the point is computed before: which
-// simplex splines may be other than zero in it, all sets of knots that their recurrences meet, and the planes of each.
-// The recurrence looks a set up by its knots, and computes it when it is met first; the program has all sets in a list,
-// parts before what they are parts of, and computes all.
+// bench/dms_recurrence.h: two peers for FastDms: eq. 1 of [HHQ04] in plain binary64, without bounds and without
+// decisions about points on planes. For one tetrahedron everything that does not depend on the point is computed
+// before: which simplex splines may be other than zero in it, all sets of knots that their recurrences meet, and the
+// planes of each. The recurrence looks a set up by its knots, and computes it when it is met first; the program has
+// all sets in a list, parts before what they are parts of, and computes all.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_dms_fast.cc: --rounds N --seed S [--degree D]. FastDms beside exact values at 32 points of each of N random
-// models of degrees up to D, 6 unless given, by the kernels' bounds, by pairs, and with the tolerance that is usual, in
-// turn: numbers outside of their bounds or wrong tetrahedra. One JSON line a figure.
+// bench/soak_dms_fast.cc: --rounds N --seed S [--degree D]. FastDms beside exact values at 32 points of each of N
+// random models of degrees up to D, 6 unless given, by the kernels' bounds, by pairs, and with the tolerance that is
+// usual, in turn: numbers outside of their bounds or wrong tetrahedra. One JSON line a figure.
 #include <cstdio>
 #include <string>
 

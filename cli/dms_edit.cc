@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "io/dms/read_dms_moves.h"
 #include "io/dms/write_dms.h"
 #include "report/text_style.h"
+#include "solids/dms/dms_defects.h"
+#include "solids/dms/dms_moves.h"
 
 namespace veritope::cli {
 namespace {
@@ -65,7 +68,8 @@ class DmsEditRun {
       moves_knots |= std::holds_alternative<DmsKnotMove>(moves[i]);
     }
     if (moves_knots)
-      if (const auto why = broken_condition(model)) return refuse(*why, kExitInvalid);
+      if (const DmsDefects defects = find_dms_defects(model); defects.count > 0)
+        return refuse(dms_refusal("after the moves", defects), kExitInvalid);
     const Status written = write_output(*choice_.output, write_dms(model), out_);
     if (!written) return fail(written.error());
     if (*choice_.output == "-") return kExitValid;
@@ -73,16 +77,6 @@ class DmsEditRun {
                         counted(moves.size(), "move", "moves") + "\n",
                     verdict_width()));
     return kExitValid;
-  }
-
-  static std::optional<std::string> broken_condition(const DmsModel& model) {
-    const DmsAdmissibility found = find_inadmissible(model);
-    if (found.defects.count > 0) return dms_refusal("after the moves", found.defects);
-    if (!found.inside) return std::nullopt;
-    const auto& v = found.vertices;
-    return "after the moves: cloud-inside: knots of the face (" + std::to_string(v[0]) + ", " +
-           std::to_string(v[1]) + ", " + std::to_string(v[2]) + ") reach into tetrahedron " +
-           std::to_string(found.inside->tetrahedron);
   }
 
   const DmsEditChoice& choice_;

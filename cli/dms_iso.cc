@@ -73,7 +73,7 @@ class DmsIsoRun {
     report_.in_solid = options_.in_solid;
     report_.defects = find_dms_defects(file->model, kMaxListed);
     if (report_.defects.count != 0) {
-      complain(harmless(refusal()));
+      complain(harmless(dms_refusal(options_.model, report_.defects)));
       report_.seconds = watch.lap();
       return finish(kExitInvalid);
     }
@@ -97,14 +97,6 @@ class DmsIsoRun {
         !status)
       return status;
     return try_outputs(*plan, {options_.output, options_.json});
-  }
-
-  std::string refusal() const {
-    const DmsDefect& first = report_.defects.first[0];
-    return options_.model + ": " + fault_name(first.fault) + ": " + to_string(first) +
-           (report_.defects.count > 1
-                ? "; " + counted(report_.defects.count - 1, "more defect", "more defects")
-                : "");
   }
 
   Status find(const DmsModel& model, std::size_t attribute) {

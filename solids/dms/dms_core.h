@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/dms_core.h: the conditions (b) and (c) of docs/formats/dms-files.md, decided exactly: a common inner point
-// of a tetrahedron's W_γ or weights that show that they have no such point; a plane that parts a hull of knots from a tetrahedron
-// or a common point.
+// solids/dms/dms_core.h: the conditions (b) and (c) of docs/formats/dms-files.md, decided exactly: a common inner
+// point of a tetrahedron's W_γ or weights that show that they have no such point; a plane that parts a hull of knots
+// from a tetrahedron or a common point.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -154,17 +154,4 @@ Status apply_move(DmsModel& model, const DmsMove& move) {
   return std::visit([&](const auto& kind) { return apply(model, kind); }, move);
 }
 
-DmsAdmissibility find_inadmissible(const DmsModel& model) {
-  DmsAdmissibility out{find_dms_defects(model), std::nullopt, {}};
-  if (out.defects.count > 0) return out;
-  const TetrahedralComplex complex(model.tetrahedra,
-                                   static_cast<std::uint32_t>(model.clouds.size()));
-  const auto parted = part_hulls(model, complex);
-  if (const auto* const open = std::get_if<DmsOpenHull>(&parted)) {
-    out.inside = *open;
-    out.vertices = complex.vertices(open->face);
-  }
-  return out;
-}
-
 }  // namespace veritope

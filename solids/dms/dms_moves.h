@@ -12,8 +12,6 @@
 #include <vector>
 
 #include "robust/base/result.h"
-#include "solids/dms/dms_defects.h"
-#include "solids/dms/dms_hulls.h"
 #include "solids/dms/dms_model.h"
 
 namespace veritope {
@@ -76,14 +74,5 @@ using DmsMove =
 /// Makes the move. REQUIRES numbers in range, 1 <= degree < counts of a lattice, low < high, axes that are independent.
 /// @error kBadArgument for a field that has no value at a control point; kOverLimit for a number with too many bits
 Status apply_move(DmsModel& model, const DmsMove& move);
-
-/// The conditions that a moved knot can break: (a), and where it holds (c) of docs/formats/dms-files.md.
-struct DmsAdmissibility {
-  DmsDefects defects;
-  std::optional<DmsOpenHull> inside;        ///< knots of this face reach into this tetrahedron
-  std::array<std::uint32_t, 3> vertices{};  ///< of that face
-};
-/// REQUIRES a model that validate() accepts.
-DmsAdmissibility find_inadmissible(const DmsModel& model);
 
 }  // namespace veritope

@@ -122,6 +122,7 @@ def faces_meet(w=(1, 1, 1), x=(1, 0, 0), f=(0, 0), g=(1, 1)):
 
 
 class Proofs(Case):
+    # PROVES DMS-2
     def test_every_kind(self):
         for kind, proof in enumerate(every_kind()):
             with self.subTest(made.FINDINGS[kind]):

@@ -171,7 +171,7 @@ class DmsEdit(Folder):
     def test_scripts_that_break_conditions_are_refused(self):
         self.unedited([{"move": "knot", "vertex": 3, "knot": 0, "to": ["0", "0", "-1"]}], 1, "after the moves: tet-reversed: tetrahedron 0")
         self.unedited([{"move": "knot", "vertex": 1, "knot": 1, "by": ["-9", "0", "0"]}], 1, "after the moves: cloud-degenerate: tetrahedron 0, beta (0,1,0,0): d < 0")
-        self.unedited([{"move": "knot", "vertex": 1, "knot": 1, "to": ["7/8", "1/16", "1/16"]}], 1, "after the moves: cloud-inside: knots of the face (")
+        self.unedited([{"move": "knot", "vertex": 1, "knot": 1, "to": ["7/8", "1/16", "1/16"]}], 1, "after the moves: cloud-inside: tetrahedron 0, beta (0,1,0,0): the hull of these knots of a face of the boundary reaches into tetrahedron 0 at")
         back = [{"move": "knot", "vertex": 3, "knot": 0, "by": ["0", "0", sign + "2"]} for sign in ("-", "")]
         self.assertEqual(self.edit(back), json.loads(TETRAHEDRON.read_text()))  # the last state counts
 

@@ -177,7 +177,7 @@ class Dms(Folder):
         model["vertices"][3].append(["0", "0", "-1"])
         (self.folder / "bad.vdms").write_text(json.dumps(model))
         document = self.evaluate("bad.vdms", ["0 0 0"], status=1)
-        self.assertEqual([(d["code"], d["tetrahedra"], d["beta"]) for d in document["defects"]], [("cloud-degenerate", [0], [0, 0, 0, 1])])
+        self.assertEqual([(d["code"], d["tetrahedra"], d["beta"]) for d in document["defects"]], [("cloud-degenerate", [0], [0, 0, 0, 1]), ("cloud-inside", [0, 0], [0, 0, 0, 1])])
         done = run("dms", "eval", "bad.vdms", "-", input="0 0 0\n", cwd=self.folder)
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn("bad.vdms: cloud-degenerate: tetrahedron 0, beta (0,0,0,1): d < 0", " ".join(done.stderr.split()))

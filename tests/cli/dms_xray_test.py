@@ -97,7 +97,7 @@ class DmsXray(Folder):
         model["vertices"][3].append(["0", "0", "-1"])
         (self.folder / "bad.vdms").write_text(json.dumps(model))
         document = self.integrate("bad.vdms", ["0 0 0 1 1 1"], status=1)
-        self.assertEqual([(d["code"], d["tetrahedra"], d["beta"]) for d in document["defects"]], [("cloud-degenerate", [0], [0, 0, 0, 1])])
+        self.assertEqual([(d["code"], d["tetrahedra"], d["beta"]) for d in document["defects"]], [("cloud-degenerate", [0], [0, 0, 0, 1]), ("cloud-inside", [0, 0], [0, 0, 0, 1])])
         self.assertEqual(document["segments"], [])
 
     def test_wrong_arguments_and_files_are_named(self):

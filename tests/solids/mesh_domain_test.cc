@@ -67,7 +67,7 @@ TEST(MeshDomain, FillsShapesOfManyKinds) {
     expect_domain(shapes::tilted_cylinder(9, cap), "cylinder");
 }
 
-// PROVES that coplanar triangles, tunnels and edges that no Delaunay tetrahedron has are met.
+// Coplanar triangles, tunnels, and edges that no Delaunay tetrahedron has.
 TEST(MeshDomain, FillsRandomSolids) {
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(scaled(12)); ++seed) {
     Random random(seed);

@@ -59,7 +59,7 @@ struct FastDmsCounts {
 
 /// Claim    |computed - exact| <= bound for each number, and `tetrahedron` is the one of rule H; exact is what
 ///          DmsEvaluator gives. Numbers of points that are evaluated exactly are the nearest binary64 ones.
-/// Without  value_bound, numbers are those that the call with it gives, but for points whose bound exceeds the tolerance.
+/// Without  value_bound, numbers are those that the call with it gives, but for points with a bound over the tolerance.
 /// Outside  of the closed domain values are NaN, bounds infinite, and the tetrahedron kNoTetrahedron.
 /// Keeps tables of the tetrahedra that were needed, so one thread at a time. Computes to nearest with gradual underflow
 /// whatever the caller's control word is; the same bits on every processor.
@@ -81,7 +81,7 @@ class FastDms {
   /// @cost a cubic point with four components takes a microsecond (docs/benchmarks.md) once tables are made
   void evaluate(std::span<const Vec3d> points, const FastDmsOutput& out, ExactPoints exact = {});
 
-  /// Of all calls.
+  /// The sums over all calls.
   const FastDmsCounts& counts() const;
   /// Simplex splines that may reach into the tetrahedron, its own among them. @cost makes its tables
   std::size_t num_near(std::uint32_t tetrahedron);

@@ -8,9 +8,9 @@
 
 namespace veritope::internal {
 
-/// c[0] + c[1] x + c[2] y + c[3] z in the coordinates of a unit. The value that a kernel computes differs from the exact
-/// one by at most error[0], and by error[0] + error[1] if the point was rounded to binary64 numbers, as long as the
-/// point is in the box for which the errors were made.
+/// c[0] + c[1] x + c[2] y + c[3] z in the coordinates of a unit. The value that a kernel computes differs from the
+/// exact one by at most error[0], and by error[0] + error[1] if the point was rounded to binary64 numbers, as long as
+/// the point is in the box for which the errors were made.
 struct FastLinear {
   double c[4];
   double error[2];
@@ -21,9 +21,9 @@ struct FastFrame {
   FastLinear lambda[4];
 };
 
-/// A simplex spline of degree 1, the length of the fibre over a point: max(0, the least of `upper` functions minus the
-/// greatest of 0 and `lower` ones), or 0 unless the last `flat` ones are positive. Of degree 0: one constant upper
-/// function, four flat ones.
+/// A simplex spline of degree 1, the length of the fibre over a point: max(0, the least of `upper` functions minus
+/// the greatest of 0 and `lower` ones), or 0 unless the last `flat` ones are positive. One of degree 0 has one
+/// constant upper function and four flat ones.
 struct FastLeaf {
   FastLinear g[5];
   std::uint32_t upper, lower, flat;
@@ -51,8 +51,8 @@ struct FastUnit {
   const FastNode* nodes;
   const FastTop* tops;
   std::size_t num_leaves, num_frames, num_nodes, num_tops;
-  /// For each top: 4 (shared) or 1 (separate) times `components` coefficients of the value; 1 or 4 times 3 * components
-  /// of the gradient, null if there are none. Weights: one for each top, and one for each part of the gradient. They are
+  /// For each top: 4 (shared) or 1 (separate) times `components` coefficients of the value; 1 or 4 times 3 *
+  /// components of the gradient, or null. Weights: one for each top, and one for each part of the gradient. They are
   /// at least d(W_γ) times the greatest control point, in units of the model's.
   const double* value;
   const double* gradient;
@@ -103,8 +103,8 @@ struct FastDmsKernels {
   /// The points with lambda[m][i] <= high[m] for all m. Returns how many; `list` has room for n + 4.
   std::size_t (*select)(const double* const* lambda, std::size_t n, const double* high,
                         std::uint32_t* list);
-  /// The first tetrahedron of the list that certainly contains the point, if those before it certainly do not. Its place
-  /// in the list is stored; also that of one whose side is null: kFastUnmade. `at` has four numbers.
+  /// The first tetrahedron of the list that certainly contains the point, if those before it certainly do not. Its
+  /// place in the list is stored; also that of one whose side is null: kFastUnmade. `at` has four numbers.
   std::uint32_t (*find)(const std::uint32_t* list, std::size_t n, const FastSide* const* sides,
                         const double* at, double rounded, std::size_t* place);
 };

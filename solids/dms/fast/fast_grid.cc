@@ -81,7 +81,8 @@ std::size_t FastGrid::cell(double x, std::size_t axis) const {
   return static_cast<std::size_t>(std::min(at, last));
 }
 
-// All points that the function above puts into the cell, and some more: it is off by a few roundings of the grid's size.
+// All points that the function above puts into the cell, and some more: it is off by a few roundings of the grid's
+// size.
 Box3d FastGrid::cell_box(const std::array<std::size_t, 3>& at) const {
   Box3d out{};
   for (std::size_t c = 0; c < 3; ++c) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/fast/fast_pair_internal.h: the sums of fast_dms_internal.h at one point with pairs of binary64 numbers, for
-// points where the kernels' bounds are too great or a sign is not decided. Bounds: docs/bounds/fast_dms.md, 7.
+// solids/dms/fast/fast_pair_internal.h: the sums of fast_dms_internal.h at one point with pairs of binary64 numbers,
+// for points where the kernels' bounds are too great or a sign is not decided. Bounds: docs/bounds/fast_dms.md, 7.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -43,8 +43,8 @@ struct FastRegion {
   std::size_t bytes() const;
 };
 
-/// The unit of the tables' tetrahedron on the inside of a cell, which has the corners `of_cell`; null if no set of knots
-/// reaches into it. The tables must outlive it.
+/// The unit of the tables' tetrahedron on the inside of a cell, which has the corners `of_cell`; null if no set of
+/// knots reaches into it. The tables must outlive it.
 std::unique_ptr<FastRegionUnit> make_fast_unit(const FastTables& tables,
                                                const TetrahedronCorners& corners,
                                                const FastCell& cell,

@@ -35,8 +35,8 @@ struct DmsPlace {
     int side;  // of the path, after u
   };
   const Beside& beside(const Triple& t);
-  // Of the points w but the m-th; *is_odd: whether d(u, ...) has the other
-  // sign.
+  // What beside() has of the points w but the m-th; *is_odd: whether d(u, ...) has the
+  // other sign.
   const Beside& opposite(const uint32_t* w, size_t m, bool* is_odd);
   // d of the points w with u in the place of the m-th, times the denominators of the others and of u.
   Big replaced(const uint32_t* w, size_t m, int* side);

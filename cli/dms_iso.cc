@@ -176,7 +176,7 @@ RunCommand declare_dms_iso(OptionSet& set) {
   set.option(
       "--space", "S", [o](const std::string& t) { return take_space(t, o->in_solid); },
       "domain (default), or solid: vertices are mapped");
-  set.number("--max-cells", o->max_cells, {1, 100'000'000}, "give up beyond this, 400000");
+  set.number("--max-cells", o->max_cells, {1, 100'000'000}, "give up beyond this, 20000");
   declare_json(set, o->json, "write the report");
   declare_reading(set, o->reading);
   set.hide("--as-indexed");

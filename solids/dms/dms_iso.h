@@ -19,7 +19,7 @@ struct DmsIsoOptions {
   Rational level;
   Rational within = Rational(1);  ///< cells that the surface crosses are not wider
   bool in_solid = false;          ///< vertices are mapped by the model
-  std::size_t max_cells = 400'000;
+  std::size_t max_cells = 20'000;
   int max_rounds = 90;  ///< cuts of one cell after another for the proof's sake
 };
 

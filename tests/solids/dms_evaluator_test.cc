@@ -137,7 +137,10 @@ TEST(DmsPaper, KnotsOutsideOfTheDomainAreNotEnough) {
   ASSERT_EQ(model.clouds[v][0], (DmsPoint{2, 1, 1}));
   model.clouds[v].push_back({ratio(21, 10), ratio(9, 10), ratio(9, 10)});
   set_control_by_rule(model, DmsControlRule::kGreville, {});
-  EXPECT_EQ(find_dms_defects(model).count, 0u);
+  // It is the condition (c) that is broken.
+  const DmsDefects defects = find_dms_defects(model);
+  ASSERT_GT(defects.count, 0u);
+  for (const DmsDefect& defect : defects.first) EXPECT_EQ(defect.fault, DmsFault::kInside);
   DmsEvaluator evaluator(model);
   EXPECT_FALSE(evaluator.locate(model.clouds[v][1]).has_value());  // the knot is outside
   const auto place = evaluator.locate({ratio(9, 5), ratio(97, 100), ratio(97, 100)});
@@ -161,7 +164,10 @@ TEST(DmsPaper, FormOfDegreeNAddsUpTo409Over400) {
   model.tetrahedra = {{1, 0, 2, 3}, {4, 5, 6, 7}};
   set_control_by_rule(model, DmsControlRule::kGreville, {});
   EXPECT_EQ(find_dms_defects(model).count, 0u);
-  EXPECT_EQ(find_dms_defects(internal::separated(model)).count, 0u);
+  // With separate control points the conditions go to n, and (c) is broken there.
+  const DmsDefects defects = find_dms_defects(internal::separated(model));
+  ASSERT_EQ(defects.count, 1u);
+  EXPECT_EQ(defects.first[0].fault, DmsFault::kInside);
   DmsEvaluator evaluator(model);
   const DmsPoint u{ratio(81, 40), ratio(-31, 40), ratio(33, 40)};
   const auto place = evaluator.locate(u);

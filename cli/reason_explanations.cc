@@ -217,7 +217,7 @@ constexpr auto kReasons = std::to_array<ReasonText>({
      "other.",
      "Move the knots closer to their vertices; veritope dms make --clouds draws clouds that are "
      "small enough."},
-    {"cloud-inside", "knots of the boundary that reach into the domain",
+    {"cloud-inside", "knots of outer faces that reach inward",
      "The convex hull of knots of a face of the domain's boundary contains an inner point of a "
      "tetrahedron: condition (c) of docs/formats/dms-files.md. Then the basis functions do not add "
      "up to 1 there. veritope dms refuses the model. Status 1.",

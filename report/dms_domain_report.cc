@@ -20,7 +20,7 @@ Json classes_json(const std::vector<DmsDomainVertex>& classes) {
 Json removals_json(const std::vector<DmsDomainRemoval>& removed) {
   Json out = Json::array();
   for (const DmsDomainRemoval& r : removed)
-    out.push_back({{"points", r.points}, {"reason", r.reason}});
+    out.push_back({{"points", r.points}, {"why", r.reason}});
   return out;
 }
 

@@ -100,7 +100,7 @@ class DmsDomain(Folder):
         document, model = self.domain(points)
         self.assertEqual([s["genus"] for s in self.certified()["shells"]], [0, 0])
         self.assertGreater(len(document["removed"]), 0)
-        self.assertLessEqual({r["reason"] for r in document["removed"]}, {"middle", "sphere", "edge", "vertex", "ring", "satellite"})
+        self.assertLessEqual({r["why"] for r in document["removed"]}, {"middle", "sphere", "edge", "vertex", "ring", "satellite"})
         hull, _ = self.domain(points, "--hull")
         self.assertEqual(hull["tetrahedra"], document["tetrahedra"] + len(document["removed"]))
 

@@ -47,7 +47,7 @@ def constants():
 
 # No constants of filters: these pages list decisions, count roundings by running the code itself on counts, have constants that a
 # test derives again in rationals, or bound nets whose degrees are data.
-COUNTED = {"box_bounds", "composition", "decisions", "fast_spline", "jacobian_net", "micro_mesh", "piece_net", "ray_net", "separating_axis"}
+COUNTED = {"box_bounds", "composition", "decisions", "fast_dms", "fast_spline", "jacobian_net", "micro_mesh", "piece_net", "ray_net", "separating_axis"}
 
 
 class Constants(unittest.TestCase):

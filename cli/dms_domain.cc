@@ -11,7 +11,6 @@
 #include "cli/dms_domain_input.h"
 #include "cli/dms_domain_mesh.h"
 #include "cli/dms_verbs.h"
-#include "cli/output_plan.h"
 #include "cli/point_source.h"
 #include "io/dms/write_dms.h"
 #include "report/decimal_text.h"
@@ -63,7 +62,9 @@ class DmsDomainRun {
       : options_(options), out_(out) {}
 
   ExitCode run() {
-    if (const Status status = check_outputs(); !status) return fail(status.error());
+    if (const Status status = try_dms_outputs({options_.input}, options_.output, options_.json);
+        !status)
+      return fail(status.error());
     Stopwatch watch;
     const Result<DomainInput> kind = kind_of_domain_input(options_.input, options_.reading);
     if (!kind) return fail(kind.error());
@@ -121,18 +122,6 @@ class DmsDomainRun {
     std::vector<TetrahedronCorners> tetrahedra = file->tetrahedra;
     turn_to_positive(file->points, tetrahedra);
     return write_identity(file->points, tetrahedra);
-  }
-
-  Status check_outputs() const {
-    std::vector<std::string> inputs;
-    if (options_.input != "-") inputs.push_back(options_.input);
-    const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, options_.json);
-    if (!plan) return plan.error();
-    if (const Status status =
-            check_output("--output", *options_.output, inputs, *plan, options_.json);
-        !status)
-      return status;
-    return try_outputs(*plan, {options_.output, options_.json});
   }
 
   // Points of which no domain can be made.

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cli/dms_verbs.h"
-#include "cli/output_plan.h"
 #include "cli/point_source.h"
 #include "report/dms_report.h"
 #include "report/text_style.h"
@@ -29,7 +28,8 @@ class DmsEvalRun {
   DmsEvalRun(const DmsEvalOptions& options, StandardOutput& out) : options_(options), out_(out) {}
 
   ExitCode run() {
-    if (const Status status = check_outputs(); !status) return fail(status.error());
+    if (const Status status = try_dms_outputs(options_.files, std::nullopt, options_.json); !status)
+      return fail(status.error());
     Stopwatch watch;
     const Result<DmsFile> file = read_dms_file(options_.files[0], options_.reading);
     if (!file) return fail(file.error());
@@ -53,15 +53,6 @@ class DmsEvalRun {
 
  private:
   static constexpr std::size_t kMaxListed = 100;
-
-  Status check_outputs() const {
-    std::vector<std::string> inputs;
-    for (const std::string& file : options_.files)
-      if (file != "-") inputs.push_back(file);
-    const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, options_.json);
-    if (!plan) return plan.error();
-    return try_outputs(*plan, {options_.json});
-  }
 
   Status evaluate(const DmsModel& model) {
     auto source = open_points(options_.files[1], Decimals::kExact, options_.reading.limits);

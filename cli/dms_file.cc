@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "cli/dms_verbs.h"
+#include "cli/output_plan.h"
 #include "io/base/exact_number.h"
 #include "report/text_style.h"
 #include "solids/dms/dms_validity.h"
@@ -16,6 +17,17 @@ Result<DmsFile> read_dms_file(const std::string& path, ModelReadOptions reading)
   Result<ModelFile> file = read_model_file(path, reading);
   if (!file) return file.error();
   return std::get<DmsFile>(std::move(*file));
+}
+
+Status try_dms_outputs(std::vector<std::string> inputs, const std::optional<std::string>& output,
+                       const std::optional<std::string>& json) {
+  std::erase(inputs, "-");
+  const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, json);
+  if (!plan) return plan.error();
+  if (output)
+    if (const Status status = check_output("--output", *output, inputs, *plan, json); !status)
+      return status;
+  return try_outputs(*plan, {output, json});
 }
 
 Result<std::size_t> dms_component(const DmsModel& model, const std::string& attribute) {

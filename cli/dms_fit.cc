@@ -7,7 +7,6 @@
 
 #include "cli/dms_verbs.h"
 #include "cli/line_reader.h"
-#include "cli/output_plan.h"
 #include "io/base/exact_number.h"
 #include "io/dms/write_dms.h"
 #include "io/points/npy_header.h"
@@ -89,7 +88,10 @@ class DmsFitRun {
   DmsFitRun(const DmsFitChoice& options, StandardOutput& out) : options_(options), out_(out) {}
 
   ExitCode run() {
-    if (const Status status = check_outputs(); !status) return fail(status.error());
+    if (const Status status =
+            try_dms_outputs({*options_.domain, options_.data}, options_.output, options_.json);
+        !status)
+      return fail(status.error());
     Stopwatch watch;
     const Result<DmsFile> domain = read_dms_file(*options_.domain, options_.reading);
     if (!domain) return fail(domain.error());
@@ -102,8 +104,7 @@ class DmsFitRun {
     report_.defects = find_dms_defects(domain->model, kMaxListed);
     ExitCode exit = kExitInvalid;
     if (report_.defects.count > 0) {
-      const DmsDefect& first = report_.defects.first[0];
-      complain(harmless(report_.path + ": " + fault_name(first.fault) + ": " + to_string(first)));
+      complain(harmless(dms_refusal(report_.path, report_.defects)));
     } else {
       const Result<ExitCode> fitted = fit(domain->model);
       if (!fitted) return fail(fitted.error());
@@ -117,18 +118,6 @@ class DmsFitRun {
 
  private:
   static constexpr std::size_t kMaxListed = 100;
-
-  Status check_outputs() const {
-    std::vector<std::string> inputs{*options_.domain};
-    if (options_.data != "-") inputs.push_back(options_.data);
-    const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, options_.json);
-    if (!plan) return plan.error();
-    if (const Status status =
-            check_output("--output", *options_.output, inputs, *plan, options_.json);
-        !status)
-      return status;
-    return try_outputs(*plan, {options_.output, options_.json});
-  }
 
   Result<ExitCode> fit(const DmsModel& domain) {
     const Result<DmsData> data = read_data(options_.data, options_.reading.limits);

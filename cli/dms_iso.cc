@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope dms iso.
-#include <algorithm>
 #include <memory>
 #include <utility>
 #include <variant>
 
 #include "cli/dms_verbs.h"
 #include "cli/option_groups.h"
-#include "cli/output_plan.h"
 #include "io/base/exact_number.h"
 #include "io/formats.h"
 #include "io/mesh/write_mesh.h"
@@ -36,17 +34,6 @@ std::string take_number(const std::string& text, std::optional<Rational>& target
   return "";
 }
 
-// A name that some attribute has; else a number, from 0 on.
-Result<std::size_t> attribute_of(const DmsModel& model, const std::string& name) {
-  const auto found = std::find(model.attributes.begin(), model.attributes.end(), name);
-  if (found != model.attributes.end())
-    return static_cast<std::size_t>(found - model.attributes.begin());
-  std::string known;
-  for (const std::string& a : model.attributes) known += (known.empty() ? "" : ", ") + a;
-  return bad_argument("--attribute: the model has no attribute " + name +
-                      (known.empty() ? ", and no other" : ", but: " + known));
-}
-
 std::optional<MeshFormat> surface_format(const std::string& path) {
   const ModelFormat* const format = format_from_path(path, ModelKind::kMesh);
   const auto* const id = format == nullptr ? nullptr : std::get_if<MeshFormat>(&format->id);
@@ -58,12 +45,14 @@ class DmsIsoRun {
   DmsIsoRun(const DmsIsoChoice& options, StandardOutput& out) : options_(options), out_(out) {}
 
   ExitCode run() {
-    if (const Status status = check_outputs(); !status) return fail(status.error());
+    if (const Status status = try_dms_outputs({options_.model}, options_.output, options_.json);
+        !status)
+      return fail(status.error());
     Stopwatch watch;
     const Result<DmsFile> file = read_dms_file(options_.model, options_.reading);
     if (!file) return fail(file.error());
-    const Result<std::size_t> attribute = attribute_of(file->model, *options_.attribute);
-    if (!attribute) return fail(attribute.error());
+    const Result<std::size_t> component = dms_component(file->model, *options_.attribute);
+    if (!component) return fail(component.error());
     report_.path = options_.model;
     report_.sha256 = file->sha256;
     report_.bytes = file->bytes;
@@ -77,7 +66,7 @@ class DmsIsoRun {
       report_.seconds = watch.lap();
       return finish(kExitInvalid);
     }
-    if (const Status status = find(file->model, *attribute); !status) return fail(status.error());
+    if (const Status status = find(file->model, *component); !status) return fail(status.error());
     report_.seconds = watch.lap();
     if (const Status status = write_mesh(); !status) return fail(status.error());
     if (options_.json != "-" && options_.output != "-")
@@ -88,20 +77,9 @@ class DmsIsoRun {
  private:
   static constexpr std::size_t kMaxListed = 100;
 
-  Status check_outputs() const {
-    const std::vector<std::string> inputs{options_.model};
-    const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, options_.json);
-    if (!plan) return plan.error();
-    if (const Status status =
-            check_output("--output", *options_.output, inputs, *plan, options_.json);
-        !status)
-      return status;
-    return try_outputs(*plan, {options_.output, options_.json});
-  }
-
-  Status find(const DmsModel& model, std::size_t attribute) {
+  Status find(const DmsModel& model, std::size_t component) {
     DmsIsoOptions options;
-    options.attribute = attribute;
+    options.attribute = component - 3;
     options.level = report_.level;
     options.within = report_.within;
     options.in_solid = options_.in_solid;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // cli/dms_verbs.h: the verbs of veritope dms.
 #pragma once
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/commands.h"
 #include "io/read_model.h"
@@ -22,6 +25,11 @@ RunCommand declare_dms_edit(OptionSet& set);
 
 /// Reads a model. @error as read_model_file, and kUnknownFormat for a file of another kind
 Result<DmsFile> read_dms_file(const std::string& path, ModelReadOptions reading);
+
+/// Tests by trying whether the outputs can be written; "-" among the inputs is standard input.
+/// @error kBadArgument: two of the files are one; kCannotWrite
+Status try_dms_outputs(std::vector<std::string> inputs, const std::optional<std::string>& output,
+                       const std::optional<std::string>& json);
 
 /// The component that has the name of an attribute. @error kBadArgument for another name
 Result<std::size_t> dms_component(const DmsModel& model, const std::string& attribute);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope dms xray.
-#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "cli/dms_verbs.h"
 #include "cli/line_reader.h"
-#include "cli/output_plan.h"
 #include "io/points/read_point.h"
 #include "report/dms_xray_report.h"
 #include "report/text_style.h"
@@ -27,7 +25,8 @@ class DmsXrayRun {
   DmsXrayRun(const DmsXrayOptions& options, StandardOutput& out) : options_(options), out_(out) {}
 
   ExitCode run() {
-    if (const Status status = check_outputs(); !status) return fail(status.error());
+    if (const Status status = try_dms_outputs(options_.files, std::nullopt, options_.json); !status)
+      return fail(status.error());
     Stopwatch watch;
     const Result<DmsFile> file = read_dms_file(options_.files[0], options_.reading);
     if (!file) return fail(file.error());
@@ -53,15 +52,6 @@ class DmsXrayRun {
 
  private:
   static constexpr std::size_t kMaxListed = 100;
-
-  Status check_outputs() const {
-    std::vector<std::string> inputs;
-    for (const std::string& file : options_.files)
-      if (file != "-") inputs.push_back(file);
-    const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, options_.json);
-    if (!plan) return plan.error();
-    return try_outputs(*plan, {options_.json});
-  }
 
   Status integrate(const DmsModel& model, std::size_t component) {
     DmsEvaluator evaluator(model);

@@ -47,9 +47,6 @@ class DmsReader : SplineJsonLexer {
     const char* const at = p_;
     return read_exact(number) && accept(at, check_dms_number(number));
   }
-  // Reads a list that must have `count` items; `what` names it: "a value".
-  template <typename Item>
-  bool read_counted(const char* what, std::size_t count, Item item);
   // Reads a list of so many natural numbers up to `most` and appends them.
   bool read_naturals(const char* what, std::size_t count, std::uint64_t most,
                      std::vector<std::uint32_t>& into);
@@ -239,22 +236,6 @@ bool DmsReader::set_control(const char* at) {
   if (status) return true;
   const auto entry = status.error().place.entity;
   return accept(entry ? entries_at_[*entry] : at, status);
-}
-
-template <typename Item>
-bool DmsReader::read_counted(const char* what, std::size_t count, Item item) {
-  skip();
-  const char* const at = p_;
-  std::size_t i = 0;
-  const auto wrong = [&](const std::string& has) {
-    return fail(at, Code::kSyntax,
-                std::string(what) + " must have " + std::to_string(count) + " numbers, not " + has);
-  };
-  const bool ok = read_list([&] {
-    if (i == count) return wrong("more");
-    return item(i++);
-  });
-  return ok && (i == count || wrong(std::to_string(i)));
 }
 
 bool DmsReader::read_naturals(const char* what, std::size_t count, std::uint64_t most,

@@ -82,8 +82,6 @@ class DmsMoveReader : SplineJsonLexer {
     const char* const at = p_;
     return read_exact(number) && accept(at, check_dms_number(number));
   }
-  template <typename Item>
-  bool read_counted(const char* what, std::size_t count, Item item);
   bool read_point(DmsPoint& point) {
     return read_counted("a point", 3, [&](std::size_t c) { return read_coordinate(point[c]); });
   }
@@ -97,19 +95,6 @@ class DmsMoveReader : SplineJsonLexer {
   const DmsModel& model_;
   std::vector<DmsMove> moves_;
 };
-
-template <typename Item>
-bool DmsMoveReader::read_counted(const char* what, std::size_t count, Item item) {
-  skip();
-  const char* const at = p_;
-  std::size_t i = 0;
-  const auto wrong = [&](const std::string& has) {
-    return fail(at, Code::kSyntax,
-                std::string(what) + " must have " + std::to_string(count) + " items, not " + has);
-  };
-  const bool ok = read_list([&] { return i == count ? wrong("more") : item(i++); });
-  return ok && (i == count || wrong(std::to_string(i)));
-}
 
 bool DmsMoveReader::read_move() {
   Draft draft;

@@ -38,6 +38,9 @@ class SplineJsonLexer : public SplineTextReader {
   /// [item, item, ...]
   template <typename Item>
   bool read_list(Item item);
+  /// A list of exactly `count` items; item(i) reads item i. `what` names the list in messages: "a knot".
+  template <typename Item>
+  bool read_counted(const char* what, std::size_t count, Item item);
   /// Reads {"key": value, ...}; value(i) reads the value of keys[i]. All of `keys`, but for the last num_optional ones,
   /// must occur, once each, in any order.
   template <typename Value>
@@ -63,6 +66,19 @@ bool SplineJsonLexer::read_list(Item item) {
     if (is_next(']')) return ++p_, true;
     if (!take_char(',')) return false;
   }
+}
+
+template <typename Item>
+bool SplineJsonLexer::read_counted(const char* what, std::size_t count, Item item) {
+  skip();
+  const char* const at = p_;
+  std::size_t i = 0;
+  const auto wrong = [&](const std::string& has) {
+    return fail(at, Code::kSyntax,
+                std::string(what) + " must have " + std::to_string(count) + " items, not " + has);
+  };
+  const bool ok = read_list([&] { return i == count ? wrong("more") : item(i++); });
+  return ok && (i == count || wrong(std::to_string(i)));
 }
 
 template <typename Value>

@@ -120,15 +120,17 @@ class HullParting {
 
 }  // namespace
 
-std::optional<std::uint32_t> find_disagreeing_control(const DmsModel& model) {
+std::optional<std::uint32_t> find_disagreeing_control(const DmsModel& model, std::size_t component,
+                                                      std::size_t count) {
   std::map<std::vector<std::uint32_t>, std::size_t> first;
   std::optional<std::uint32_t> found;
   for (std::uint32_t t = 0; t < model.tetrahedra.size() && !found; ++t)
     for_each_tetrahedral_index(model.degree, [&](const TetrahedralIndex& beta) {
       const std::size_t here = control_of(model, t, beta);
       const auto [at, is_new] = first.emplace(control_vertices(model.tetrahedra[t], beta), here);
-      const auto a = model.value(here), b = model.value(at->second);
-      if (!is_new && !std::equal(a.begin(), a.begin() + 3, b.begin())) found = t;
+      const auto a = model.value(here).subspan(component, count),
+                 b = model.value(at->second).subspan(component, count);
+      if (!is_new && !std::equal(a.begin(), a.end(), b.begin())) found = t;
     });
   return found;
 }

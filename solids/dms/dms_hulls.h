@@ -12,9 +12,12 @@
 
 namespace veritope {
 
-/// The first tetrahedron one of whose separate control points differs, in x, y or z, from one of an earlier tetrahedron
-/// at the same multiset of vertices. REQUIRES separate control points.
-std::optional<std::uint32_t> find_disagreeing_control(const DmsModel& model);
+/// The first tetrahedron one of whose separate control points differs from that of an earlier tetrahedron at the same
+/// multiset of vertices, in one of `count` components from `component` on: x, y and z unless told otherwise.
+/// REQUIRES separate control points.
+std::optional<std::uint32_t> find_disagreeing_control(const DmsModel& model,
+                                                      std::size_t component = 0,
+                                                      std::size_t count = 3);
 
 /// A face of the boundary and a tetrahedron that no plane parts: a hull of knots reaches into it.
 struct DmsOpenHull {

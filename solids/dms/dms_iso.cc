@@ -7,6 +7,7 @@
 #include <queue>
 #include <utility>
 
+#include "solids/dms/dms_hulls.h"
 #include "solids/dms/dms_iso_cells_internal.h"
 #include "solids/dms/dms_iso_mesh_internal.h"
 
@@ -149,7 +150,8 @@ const char* doubt_name(DmsIsoDoubt doubt) {
 Result<DmsIso> find_dms_iso(const DmsModel& model, const DmsIsoOptions& options,
                             std::size_t max_listed) {
   DmsIso out;
-  out.obstacle = find_dms_iso_obstacle(model, options.attribute);
+  if (model.control.is_separate && find_disagreeing_control(model, 3 + options.attribute, 1))
+    out.obstacle = "control-disagrees";
   // The first search is short and separates sheets; the second one is for all else.
   std::unique_ptr<IsoCells> cells;
   for (const bool extrema_first : {true, false}) {

@@ -42,8 +42,8 @@ struct DmsIso {
   TriangleMesh mesh;
   /// The level set in the domain is isotopic to the triangles before rounding: `components` and `euler` are its own.
   bool certified = false;
-  /// A condition of the whole model that is not proved to hold: "domain-overlap", "domain-pinched", "cloud-inside",
-  /// "control-disagrees".
+  /// "control-disagrees": the attribute's separate control points of two tetrahedra differ where shared ones would be
+  /// one, so that it may jump, and nothing is certified.
   std::optional<std::string> obstacle;
   std::uint64_t components = 0;
   std::int64_t euler = 0;
@@ -58,9 +58,5 @@ struct DmsIso {
 /// @cost  a form of each cell: at most max_cells of them, and those of one more edge
 Result<DmsIso> find_dms_iso(const DmsModel& model, const DmsIsoOptions& options,
                             std::size_t max_listed = 100);
-
-/// What find_dms_iso says of the whole model; nothing if all conditions hold.
-/// @cost pairs of tetrahedra near each other, each by at most 44 planes
-std::optional<std::string> find_dms_iso_obstacle(const DmsModel& model, std::size_t attribute);
 
 }  // namespace veritope

@@ -21,20 +21,27 @@ BezierTriangle<Rational> patch_of(int degree, std::vector<DmsPoint> coefficients
 
 }  // namespace
 
+std::vector<BezierTriangle<Rational>> patches_on(const DmsModel& model, DmsEvaluator& evaluator,
+                                                 const std::vector<DmsTile>& tiles) {
+  const SimplexInterpolation interpolation(model.degree, 3);
+  std::vector<BezierTriangle<Rational>> out;
+  for (const DmsTile& tile : tiles) {
+    const auto values = values_at(evaluator, interpolation.points(tile.corners));
+    VT_CHECK(values.has_value(), "points of the boundary lie in the closed domain");
+    out.push_back(patch_of(model.degree, interpolation.coefficients(*values)));
+  }
+  return out;
+}
+
 std::variant<std::vector<BezierTriangle<Rational>>, DmsOpenFace> boundary_patches(
     const DmsModel& model, const TetrahedralComplex& complex) {
   const auto tiled = tile_boundary(model, complex);
   if (const auto* const open = std::get_if<DmsOpenFace>(&tiled)) return *open;
+  std::vector<DmsTile> tiles;
+  for (const auto& of_face : std::get<0>(tiled))
+    tiles.insert(tiles.end(), of_face.begin(), of_face.end());
   DmsEvaluator evaluator(model);
-  const SimplexInterpolation interpolation(model.degree, 3);
-  std::vector<BezierTriangle<Rational>> out;
-  for (const auto& tiles : std::get<0>(tiled))
-    for (const DmsTile& tile : tiles) {
-      const auto values = values_at(evaluator, interpolation.points(tile.corners));
-      VT_CHECK(values.has_value(), "points of the boundary lie in the closed domain");
-      out.push_back(patch_of(model.degree, interpolation.coefficients(*values)));
-    }
-  return out;
+  return patches_on(model, evaluator, tiles);
 }
 
 }  // namespace veritope

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "solids/dms/dms_evaluator.h"
 #include "solids/dms/dms_model.h"
 #include "solids/dms/dms_tiles.h"
 #include "splines/bezier_triangle.h"
@@ -11,10 +12,15 @@
 
 namespace veritope {
 
+/// x, y, z of the map on each of some tiles of the boundary, exactly. REQUIRES an evaluator of the model.
+/// @cost (n + 1)(n + 2) / 2 exact values on each
+std::vector<BezierTriangle<Rational>> patches_on(const DmsModel& model, DmsEvaluator& evaluator,
+                                                 const std::vector<DmsTile>& tiles);
+
 /// x, y, z of the map on the tiles of the boundary's faces (solids/dms/dms_tiles.h), face after face: exactly, with the
 /// degree of the model. Each has its normal out of the solid, if the map is one to one and det Ds > 0.
 /// REQUIRES the complex of the model, and a model without defects (solids/dms/dms_defects.h).
-/// @cost  the tiles, and (n + 1)(n + 2) / 2 exact values on each
+/// @cost the tiles, and patches_on them
 std::variant<std::vector<BezierTriangle<Rational>>, DmsOpenFace> boundary_patches(
     const DmsModel& model, const TetrahedralComplex& complex);
 

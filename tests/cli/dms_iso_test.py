@@ -92,7 +92,7 @@ class DmsIso(Folder):
     def test_an_unknown_attribute_is_named_with_those_that_exist(self):
         done = run("dms", "iso", self.model, "--attribute", "b", "--level", "0", "--within", "1", "-o", "f.off", cwd=self.folder)
         self.assertEqual(done.returncode, 2, done)
-        self.assertIn("the model has no attribute b, but: a", done.stderr)
+        self.assertIn("--attribute b: the model has the attributes a", done.stderr)
 
     def test_the_summary_says_what_the_page_shows(self):
         done = run("dms", "iso", "m.vdms", "--attribute", "a", "--level", "1/4", "--within", "1", "-o", "f.off", cwd=self.folder)

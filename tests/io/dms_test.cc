@@ -111,9 +111,9 @@ TEST(Dms, RefusalsHaveTheirLine) {
   EXPECT_EQ(outcome_of("[\"density\"]", "[\"\"]"),
             "bad-argument@3: the name of attribute 0 is empty");
   EXPECT_EQ(outcome_of("[[\"0\", \"0\", \"0\"]]", "[[\"0\", \"0\"]]"),
-            "syntax@5: a knot must have 3 numbers, not 2");
+            "syntax@5: a knot must have 3 items, not 2");
   EXPECT_EQ(outcome_of("[[\"0\", \"0\", \"0\"]]", "[[\"0\", \"0\", \"0\", \"0\"]]"),
-            "syntax@5: a knot must have 3 numbers, not more");
+            "syntax@5: a knot must have 3 items, not more");
   EXPECT_EQ(outcome_of("[[\"0\", \"0\", \"0\"]]", "[[\"0\", \"0\", 0]]"),
             "syntax@5: a string expected, but there is '0'");
   EXPECT_EQ(outcome_of("[[\"0\", \"0\", \"0\"]]", "[]"),
@@ -127,7 +127,7 @@ TEST(Dms, RefusalsHaveTheirLine) {
   EXPECT_EQ(outcome_of("[0,1,2,3]", "[0,1,2,2]"),
             "bad-argument@10: tetrahedron 0 has vertex 2 twice");
   EXPECT_EQ(outcome_of("[0,1,2,3]", "[0,1,2]"),
-            "syntax@10: a tetrahedron must have 4 numbers, not 3");
+            "syntax@10: a tetrahedron must have 4 items, not 3");
   EXPECT_EQ(outcome_of("[0,1,2,3]", "[0,1,2,-3]"),
             "syntax@10: a number of a tetrahedron must be an integer from 0 to 16777215, not '-3'");
   EXPECT_EQ(outcome_of("[0,1,2,3]", "[0,1,2,16777216]"),
@@ -140,7 +140,7 @@ TEST(Dms, RefusalsOfControlPointsHaveTheirLine) {
   EXPECT_EQ(outcome_of("{\"at\": [0,0]", "{\"at\": [1,0]"),
             "bad-argument@12: the vertices of a control point must not decrease, as 1, 0 do");
   EXPECT_EQ(outcome_of("{\"at\": [0,0]", "{\"at\": [0]"),
-            "syntax@12: the place of a control point must have 2 numbers, not 1");
+            "syntax@12: the place of a control point must have 2 items, not 1");
   EXPECT_EQ(outcome_of("{\"at\": [0,0]", "{\"at\": [0,4]"),
             "index-out-of-range@12: a control point is at vertex 4 of 4");
   EXPECT_EQ(outcome_of("{\"at\": [0,0]", "{\"at\": [0,1]"),
@@ -161,7 +161,7 @@ TEST(Dms, RefusalsOfControlPointsHaveTheirLine) {
   EXPECT_EQ(outcome_of("{\"at\": [0,1], ", "{\"tetrahedron\": 0, \"beta\": [1,1,0,0], "),
             "syntax@13: control points must all be shared or all be separate, as the first one is");
   EXPECT_EQ(outcome_of("[\"0\", \"0\", \"0\", \"1\"]", "[\"0\", \"0\", \"0\"]"),
-            "syntax@12: a value must have 4 numbers, not 3");
+            "syntax@12: a value must have 4 items, not 3");
   EXPECT_EQ(
       outcome_of("[\"0\", \"0\", \"0\", \"1\"]", "[\"0\", \"0\", \"0\", \"nan\"]").substr(0, 13),
       "not-finite@12");
@@ -195,7 +195,7 @@ TEST(Dms, SeparateControlPointsNeedWholeClouds) {
   EXPECT_EQ(outcome("\"tetrahedron\": 0", "\"tetrahedron\": 1"),
             "index-out-of-range@12: a control point is of tetrahedron 1 of 1");
   EXPECT_EQ(outcome("\"beta\": [2,0,0,0]", "\"beta\": [2,0,0]"),
-            "syntax@12: beta must have 4 numbers, not 3");
+            "syntax@12: beta must have 4 items, not 3");
 }
 
 // Each prefix is refused with a line, and nothing of it is believed.

@@ -9,6 +9,7 @@
 
 #include "solids/dms/dms_evaluator.h"
 #include "solids/dms/dms_iso_form.h"
+#include "tests/support/dms_laws.h"
 #include "tests/support/dms_level_sets.h"
 
 namespace veritope {
@@ -130,32 +131,15 @@ TEST(DmsIso, LevelAtAVertexOfTheDomainIsInDoubt) {
   EXPECT_EQ(iso.undecided[0].why, DmsIsoDoubt::kVertex);
 }
 
-TEST(DmsIso, ConditionsOfTheModelAreNamed) {
-  const LevelSet set = draw_level_set(2, LevelSetKind::kPlane, false, false);
-  EXPECT_EQ(find_dms_iso_obstacle(set.model, 0), std::nullopt);
-  // Two tetrahedra that share no vertex, and overlap.
-  DmsModel twice = set.model;
-  twice.clouds.clear();
-  twice.tetrahedra = {{0, 1, 2, 3}, {4, 5, 6, 7}};
-  for (const int shift : {0, 1})
-    for (const DmsPoint& p : {DmsPoint{Rational(0), Rational(0), Rational(0)},
-                              DmsPoint{Rational(4), Rational(0), Rational(0)},
-                              DmsPoint{Rational(0), Rational(4), Rational(0)},
-                              DmsPoint{Rational(0), Rational(0), Rational(4)}})
-      twice.clouds.push_back({{p[0] + Rational(shift), p[1], p[2]}});
-  set_polynomial_attribute(twice, [](const DmsPoint& p) { return p[2]; });
-  EXPECT_EQ(find_dms_iso_obstacle(twice, 0), "domain-overlap");
-  // Two cubes that share an edge only.
-  DmsModel pinched = kuhn_domain({2, 2, 1}, [](int x, int y, int) { return x == y; });
-  set_polynomial_attribute(pinched, [](const DmsPoint& p) { return p[2]; });
-  EXPECT_EQ(find_dms_iso_obstacle(pinched, 0), "domain-pinched");
-  // A knot of a vertex on the boundary that reaches into the domain.
-  DmsModel inside = set.model;
-  const DmsPoint corner = inside.clouds[4][0];
-  inside.clouds[4] = {corner,
-                      {corner[0] + Rational(1) / Rational(9), corner[1] + Rational(1) / Rational(9),
-                       corner[2] + Rational(1) / Rational(9)}};
-  EXPECT_EQ(find_dms_iso_obstacle(inside, 0), "cloud-inside");
+// Separate control points of equal values are shared ones; where one differs the attribute may jump.
+TEST(DmsIso, NothingIsCertifiedWhereControlPointsDisagree) {
+  LevelSet set = draw_level_set(2, LevelSetKind::kPlane, false, false);
+  set.model = internal::separated(set.model);
+  EXPECT_EQ(find(set).obstacle, std::nullopt);
+  EXPECT_TRUE(find(set).certified);
+  set.model.control.values[3] += Rational::power_of_two(-40);  // of tetrahedron 0 at its corner 0
+  EXPECT_EQ(find(set).obstacle, "control-disagrees");
+  EXPECT_FALSE(find(set).certified);
 }
 
 // The two parts of a cut have the values of the whole: along random rational points of edges.

@@ -13,8 +13,8 @@
 #include "solids/dms/dms_defects.h"
 #include "solids/dms/dms_hulls.h"
 #include "solids/dms/dms_jacobian.h"
+#include "solids/dms/dms_surface.h"
 #include "solids/dms/dms_tiles.h"
-#include "solids/dms/dms_values.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/certify_kinds_internal.h"
 #include "verify/certify/dms_refutation.h"
@@ -272,22 +272,19 @@ class DmsCertification {
                     ") of the boundary is not cut into parts that no triangle of knots meets");
     }
     DmsEvaluator evaluator(model_);
-    const SimplexInterpolation interpolation(model_.degree, 3);
-    std::vector<ExactTriangle> triangles;
+    std::vector<DmsTile> all;
     std::vector<DmsPiece> pieces;
     for (const auto& tiles : std::get<0>(tiled)) {
       const TetrahedronFace face = complex_.boundary()[body_.tiles.size()];
       add_tiles(tiles);
       for (const DmsTile& tile : tiles) {
         pieces.push_back({face, tile});
-        const auto values = values_at(evaluator, interpolation.points(tile.corners));
-        if (!values) return reason("T3: a point of the boundary is in no tetrahedron");
-        triangles.push_back(triangle_of(model_.degree, interpolation.coefficients(*values)));
+        all.push_back(tile);
       }
     }
     if (has_long_points()) return reason("B2: corners of tiles have too many bits", "not-covered");
-    facts_.patches = triangles.size();
-    auto proved = prove_surface(std::move(triangles), "the surface of the solid");
+    facts_.patches = all.size();
+    auto proved = prove_surface(patches_on(model_, evaluator, all), "the surface of the solid");
     if (auto* const fault = std::get_if<SurfaceFault>(&proved)) {
       if (!fault->refutation) return std::move(fault->finding);
       auto refuted = refutation_of(*fault->refutation, pieces, evaluator);

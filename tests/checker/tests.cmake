@@ -26,7 +26,7 @@ veritope_judges_test(dms_solid dms_solid standard)
 veritope_judges_test(dms_invalid dms_invalid standard)
 veritope_judges_test(dms_refuted dms_refuted standard)
 set_property(TEST checker_cpp_micro_cpp checker_cpp_micro_inside_cpp checker_cpp_micro_sweeps_cpp checker_cpp_micro_patches_cpp
-             checker_cpp_dms_solid APPEND PROPERTY ENVIRONMENT "VERITOPE=$<TARGET_FILE:veritope>")
+             checker_cpp_dms_solid checker_cpp_dms_refuted APPEND PROPERTY ENVIRONMENT "VERITOPE=$<TARGET_FILE:veritope>")
 veritope_judges_test(real_models mesh_real_models standard)
 foreach(kind IN ITEMS star_box star_box_turned star_box_2 star_box_2_cpp patch_invalid patch_invalid_2 collar collar_2)
   veritope_judges_test(${kind} ${kind} full)

@@ -54,7 +54,7 @@ class Schema(Folder):
         (self.folder / "bad.itd").write_text("[CURVE BSPLINE 2 2 E1 [KV 0 1 0 1] [0] [1]]")
         yield json.loads(run("info", "--json", "-", *splines, self.folder / "bad.itd", models[0]).stdout)
         patches = sorted((MODELS / "patches").iterdir())
-        yield support.report("--collar", *patches, timeout=900)
+        yield support.report("--collar", "--max-memory", 100, *patches, timeout=900)
         yield support.report("--no-check", *splines, self.folder / "bad.itd")
         yield json.loads(run("cover", MODELS / "patches" / "cube.itd", "--sweep", 1, "--json", "-").stdout)
         yield json.loads(run("project", "1,2,3", MODELS / "patches" / "cube.itd", "--json", "-").stdout)

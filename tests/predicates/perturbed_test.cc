@@ -101,16 +101,16 @@ int sign_by_tiny_amounts(const Scene& scene) {
 
 // ---- The predicates on a scene --------------------------------------------------------------------
 
-Vec2d xy(const Vec3d& p) { return {p.x, p.y}; }
+Vec2d drop_z(const Vec3d& p) { return {p.x, p.y}; }
 Sign ask(const Scene& s, const std::vector<std::size_t>& k) {
   const auto& p = s.points;
   const auto& id = s.ids;
   if (s.dimension == 2 && !s.is_lifted) {
-    return orient2d_perturbed({xy(p[k[0]]), xy(p[k[1]]), xy(p[k[2]])},
+    return orient2d_perturbed({drop_z(p[k[0]]), drop_z(p[k[1]]), drop_z(p[k[2]])},
                               {id[k[0]], id[k[1]], id[k[2]]});
   }
   if (s.dimension == 2) {
-    return in_circle_perturbed({xy(p[k[0]]), xy(p[k[1]]), xy(p[k[2]]), xy(p[k[3]])},
+    return in_circle_perturbed({drop_z(p[k[0]]), drop_z(p[k[1]]), drop_z(p[k[2]]), drop_z(p[k[3]])},
                                {id[k[0]], id[k[1]], id[k[2]], id[k[3]]});
   }
   if (!s.is_lifted) {
@@ -127,8 +127,8 @@ std::vector<std::size_t> straight(const Scene& s) {
 }
 int unperturbed(const Scene& s) {
   const auto& p = s.points;
-  if (s.dimension == 2 && !s.is_lifted) return to_int(orient2d(xy(p[0]), xy(p[1]), xy(p[2])));
-  if (s.dimension == 2) return to_int(in_circle(xy(p[0]), xy(p[1]), xy(p[2]), xy(p[3])));
+  if (s.dimension == 2 && !s.is_lifted) return to_int(orient2d(drop_z(p[0]), drop_z(p[1]), drop_z(p[2])));
+  if (s.dimension == 2) return to_int(in_circle(drop_z(p[0]), drop_z(p[1]), drop_z(p[2]), drop_z(p[3])));
   if (!s.is_lifted) return to_int(orient3d(p[0], p[1], p[2], p[3]));
   return to_int(in_sphere(p[0], p[1], p[2], p[3], p[4]));
 }

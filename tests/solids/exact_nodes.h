@@ -15,7 +15,7 @@ namespace veritope {
 using Numbers = std::vector<Rational>;
 
 // Components one after the other, as in a net.
-struct ExactNet {
+struct RationalNet {
   FormShape shape;
   int components;
   Numbers values;
@@ -24,23 +24,23 @@ struct ExactNet {
 };
 
 template <typename Map>
-inline ExactNet net_of(const ExactNet& like, const Map& map) {
+inline RationalNet net_of(const RationalNet& like, const Map& map) {
   return {like.shape, like.components,
           Numbers(map.coefficients().begin(), map.coefficients().end())};
 }
-inline ExactNet half_of(const ExactNet& net, std::size_t axis, bool is_upper) {
+inline RationalNet half_of(const RationalNet& net, std::size_t axis, bool is_upper) {
   const Bezier<Rational, 2> map({net.shape.p, net.shape.q}, net.components, false, net.values);
   const auto halves = split(map, axis, Rational(1) / Rational(2));
   return net_of(net, is_upper ? halves.second : halves.first);
 }
-inline ExactNet quarter_of(const ExactNet& net, std::size_t k) {
+inline RationalNet quarter_of(const RationalNet& net, std::size_t k) {
   if (!net.shape.is_triangle) return half_of(half_of(net, 0, k >= 2), 1, k % 2 == 1);
   const BezierTriangle<Rational> map(net.shape.p, net.components, false, net.values);
   return net_of(net, split_in_four(map)[k]);
 }
 
 // The patch as a forest sees it: homogeneous control points relative to the origin of its nets, and determinants.
-inline ExactNet control_of(const PieceForest& forest, std::uint32_t p) {
+inline RationalNet control_of(const PieceForest& forest, std::uint32_t p) {
   const PieceForest::Form& form = forest.form(p);
   const Patch& patch = forest.complex().patch(p);
   const bool is_rational = patch.is_rational();
@@ -49,7 +49,7 @@ inline ExactNet control_of(const PieceForest& forest, std::uint32_t p) {
     largest = patch.component(3)[0];
     for (const Rational& w : patch.component(3)) largest = std::max(largest, w);
   }
-  ExactNet out{form.shape, is_rational ? 4 : 3, {}};
+  RationalNet out{form.shape, is_rational ? 4 : 3, {}};
   for (int c = 0; c < out.components; ++c)
     for (std::size_t i = 0; i < form.shape.count(); ++i) {
       const auto k = static_cast<std::size_t>(c);
@@ -122,7 +122,7 @@ inline Rational from(double v) { return Rational::from_double(v); }
 
 /// Homogeneous control points (x, y, z, w) of a node, in the forest's coordinates.
 using ExactPoints = std::vector<std::array<Rational, 4>>;
-inline ExactPoints points_of(const PieceForest& forest, std::uint32_t patch, const ExactNet& net) {
+inline ExactPoints points_of(const PieceForest& forest, std::uint32_t patch, const RationalNet& net) {
   ExactPoints out;
   for (std::size_t i = 0; i < net.shape.count(); ++i) {
     const Rational w = net.components == 4 ? net.at(3, i) : Rational(1);
@@ -138,7 +138,7 @@ template <typename Visit>
 void for_some_nodes(PieceForest& forest, Random& random, int depth, Visit visit) {
   for (std::uint32_t p = 0; p < forest.num_patches(); ++p) {
     PieceForest::Id id = forest.form(p).first_root;
-    ExactNet net = control_of(forest, p);
+    RationalNet net = control_of(forest, p);
     for (int level = 0;; ++level) {
       visit(id, points_of(forest, p, net));
       if (level == depth) break;

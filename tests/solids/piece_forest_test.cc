@@ -18,10 +18,10 @@ namespace {
 using Sides = std::array<bool, 4>;
 using Id = PieceForest::Id;
 
-ExactNet determinants_of(const ExactNet& control) {
+RationalNet determinants_of(const RationalNet& control) {
   const auto forms =
       determinant_form<Rational>(control.shape, control.components == 4, control.values.data());
-  ExactNet out{determinant_shape(control.shape), 4, {}};
+  RationalNet out{determinant_shape(control.shape), 4, {}};
   for (const Numbers& form : forms) out.values.insert(out.values.end(), form.begin(), form.end());
   return out;
 }
@@ -38,7 +38,7 @@ class Walk {
     {
       constexpr std::uint32_t p = 0;  // the other patch is the same sheet, reversed
       const PieceForest::Form& form = forest_.form(p);
-      const ExactNet control = control_of(forest_, p), determinants = determinants_of(control);
+      const RationalNet control = control_of(forest_, p), determinants = determinants_of(control);
       const std::uint32_t columns = 1u << form.root_bits[1], rows = 1u << form.root_bits[0];
       ASSERT_EQ(form.num_roots, rows * columns);
       for (std::uint32_t r = 0; r < form.num_roots; ++r) {
@@ -54,14 +54,14 @@ class Walk {
   }
 
  private:
-  static ExactNet root_of(ExactNet net, const PieceForest::Form& form,
+  static RationalNet root_of(RationalNet net, const PieceForest::Form& form,
                           const std::array<std::uint32_t, 2>& place) {
     for (std::size_t axis = 0; axis < 2; ++axis)
       for (int bit = form.root_bits[axis]; bit-- > 0;)
         net = half_of(net, axis, (place[axis] >> bit & 1) != 0);
     return net;
   }
-  void down(Id id, const ExactNet& control, const ExactNet& determinants, const Sides& on_side,
+  void down(Id id, const RationalNet& control, const RationalNet& determinants, const Sides& on_side,
             int depth) {
     visit_(id, control, determinants, on_side);
     if (depth == 0) return;
@@ -116,7 +116,7 @@ void expect_pieces(const std::vector<Subject>& subjects, bool is_rational) {
     const PatchComplex complex = both_sides(sheet);
     PieceForest forest = PieceForest::make(complex).value();
     walk(forest, random, 2,
-         [&](Id id, const ExactNet& control, const ExactNet& determinants, const Sides& on_side) {
+         [&](Id id, const RationalNet& control, const RationalNet& determinants, const Sides& on_side) {
            SCOPED_TRACE(testing::Message()
                         << "seed " << kSeed << ", subject " << &subject - subjects.data()
                         << (is_rational ? ", rational" : "") << ", node " << id);
@@ -180,7 +180,7 @@ TEST(PieceForestNodes, OfRationalTrianglesHoldTheirPiecesWithinNarrowBounds) {
 }
 
 // The places of the coefficients beside the node's collapsed sides; nothing if two of those share a corner.
-std::optional<std::vector<std::size_t>> kept_of(const Patch& patch, const ExactNet& control,
+std::optional<std::vector<std::size_t>> kept_of(const Patch& patch, const RationalNet& control,
                                                 const FormShape& d) {
   const std::uint32_t n = patch.num_sides();
   Sides is_point{};
@@ -224,7 +224,7 @@ void expect_sides(const std::vector<Subject>& subjects, bool is_rational) {
     const PatchComplex complex = both_sides(sheet);
     PieceForest forest = PieceForest::make(complex).value();
     walk(forest, random, 2,
-         [&](Id id, const ExactNet& control, const ExactNet& determinants, const Sides&) {
+         [&](Id id, const RationalNet& control, const RationalNet& determinants, const Sides&) {
            const PieceForest::Node& node = forest.node(id);
            const PieceForest::Form& form = forest.form(node.patch);
            const auto kept = kept_of(complex.patch(node.patch), control, determinants.shape);

@@ -15,7 +15,7 @@ RunCommand declare_dms(OptionSet& set) {
       declare_dms_make(set.verb("make", "write a model of a higher degree over a domain")),
       declare_dms_domain(set.verb("domain", "write a domain of tetrahedra from points or a mesh")),
       declare_dms_xray(set.verb("xray", "print exact integrals of an attribute along segments")),
-      declare_dms_refine(set.verb("refine", "insert a vertex, so that the map stays equal")),
+      declare_dms_refine(set.verb("refine", "insert a vertex; the map stays equal, or nearly")),
       declare_dms_boundary(set.verb("boundary", "write the surface as Bezier triangles")),
       declare_dms_edit(set.verb("edit", "move control points, coefficients and knots")),
       declare_dms_iso(set.verb("iso", "write the surface where an attribute has a value"))};

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope dms eval.
+#include <cstdint>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -37,7 +39,7 @@ class DmsEvalRun {
     report_.sha256 = file->sha256;
     report_.bytes = file->bytes;
     report_.degree = file->model.degree;
-    report_.attributes = file->model.attributes;
+    report_.attributes = all_attributes(file->model);
     report_.is_exact = options_.is_exact;
     report_.defects = find_dms_defects(file->model, kMaxListed);
     const bool is_sound = report_.defects.count == 0;
@@ -57,27 +59,38 @@ class DmsEvalRun {
   Status evaluate(const DmsModel& model) {
     auto source = open_points(options_.files[1], Decimals::kExact, options_.reading.limits);
     if (!source) return source.error();
-    std::optional<DmsEvaluator> exact;
-    std::optional<FastDms> fast;
-    if (options_.is_exact) {
-      exact.emplace(model);
-    } else {
-      FastDmsOptions how;
-      how.with_gradient = options_.with_gradient;
-      fast.emplace(model, how);
-    }
+    // The map, and attributes over a domain of their own.
+    std::vector<const DmsModel*> splines{&model};
+    for (const DmsModel& own : model.attribute_domain) splines.push_back(&own);
+    std::vector<std::unique_ptr<DmsEvaluator>> exact;
+    std::vector<std::unique_ptr<FastDms>> fast;
+    FastDmsOptions how;
+    how.with_gradient = options_.with_gradient;
+    for (const DmsModel* const spline : splines)
+      options_.is_exact ? exact.push_back(std::make_unique<DmsEvaluator>(*spline))
+                        : fast.push_back(std::make_unique<FastDms>(*spline, how));
     for (PointBatch batch;;) {
       if (const Status status = (*source)->next(batch); !status) return status;
       if (batch.size() == 0) return out_.status();
-      if (exact) {
-        evaluate_exactly(*exact, batch);
-      } else {
-        evaluate_fast(*fast, batch);
-      }
+      std::vector<DmsPointReport> points(batch.size());
+      for (const auto& evaluator : exact) evaluate_exactly(*evaluator, batch, points);
+      for (const auto& evaluator : fast) evaluate_fast(*evaluator, batch, points);
+      for (DmsPointReport& point : points) add(std::move(point));
     }
   }
 
-  void evaluate_exactly(DmsEvaluator& evaluator, const PointBatch& batch) {
+  // The number of the tetrahedron is that of the first spline.
+  static void set_tetrahedron(std::uint32_t tetrahedron, DmsPointReport& point) {
+    if (!point.tetrahedron) point.tetrahedron = tetrahedron;
+  }
+  template <typename List>
+  static void append(List&& from, List& to) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  }
+
+  // Adds the values of one spline to those of the points.
+  void evaluate_exactly(DmsEvaluator& evaluator, const PointBatch& batch,
+                        std::vector<DmsPointReport>& points) const {
     std::size_t exact = 0;
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const bool is_exact = exact < batch.exact.size() && batch.exact[exact].first == i;
@@ -86,18 +99,17 @@ class DmsEvalRun {
                               ? batch.exact[exact++].second
                               : DmsPoint{Rational::from_double(p.x), Rational::from_double(p.y),
                                          Rational::from_double(p.z)};
-      DmsPointReport point;
       if (const auto place = evaluator.locate(at)) {
         DmsValue value = evaluator.evaluate(*place);
-        point.tetrahedron = place->tetrahedron;
-        point.value = std::move(value.value);
-        if (options_.with_gradient) point.gradient = std::move(value.gradient);
+        set_tetrahedron(place->tetrahedron, points[i]);
+        append(std::move(value.value), points[i].value);
+        if (options_.with_gradient) append(std::move(value.gradient), points[i].gradient);
       }
-      add(std::move(point));
     }
   }
 
-  void evaluate_fast(FastDms& fast, const PointBatch& batch) {
+  void evaluate_fast(FastDms& fast, const PointBatch& batch,
+                     std::vector<DmsPointReport>& points) const {
     const std::size_t n = batch.size(), k = fast.num_components();
     std::vector<double> value(n * k), bound(n * k);
     std::vector<double> gradient(options_.with_gradient ? 3 * n * k : 0), slack(gradient.size());
@@ -106,9 +118,9 @@ class DmsEvalRun {
     if (options_.with_gradient) out.gradient = gradient.data(), out.gradient_bound = slack.data();
     fast.evaluate(batch.points, out, batch.exact);
     for (std::size_t i = 0; i < n; ++i) {
-      DmsPointReport point;
+      DmsPointReport& point = points[i];
       if (tetrahedron[i] != FastDms::kNoTetrahedron) {
-        point.tetrahedron = tetrahedron[i];
+        set_tetrahedron(tetrahedron[i], point);
         for (std::size_t c = i * k; c < (i + 1) * k; ++c) {
           point.number.push_back(value[c]);
           if (options_.json) add_bounds(value[c], bound[c], point.lo, point.hi);
@@ -120,7 +132,6 @@ class DmsEvalRun {
           point.gradient_hi.push_back({high[0], high[1], high[2]});
         }
       }
-      add(std::move(point));
     }
   }
 

@@ -30,12 +30,10 @@ Status try_dms_outputs(std::vector<std::string> inputs, const std::optional<std:
   return try_outputs(*plan, {output, json});
 }
 
-Result<std::size_t> dms_component(const DmsModel& model, const std::string& attribute) {
+Result<DmsComponent> dms_component(const DmsModel& model, const std::string& attribute) {
+  if (const auto found = find_attribute(model, attribute)) return *found;
   std::string names;
-  for (std::size_t a = 0; a < model.attributes.size(); ++a) {
-    if (model.attributes[a] == attribute) return 3 + a;
-    names += (a == 0 ? "" : ", ") + model.attributes[a];
-  }
+  for (const std::string& name : all_attributes(model)) names += (names.empty() ? "" : ", ") + name;
   return bad_argument("--attribute " + attribute + ": the model has " +
                       (names.empty() ? "no attributes" : "the attributes " + names));
 }

@@ -51,7 +51,7 @@ class DmsIsoRun {
     Stopwatch watch;
     const Result<DmsFile> file = read_dms_file(options_.model, options_.reading);
     if (!file) return fail(file.error());
-    const Result<std::size_t> component = dms_component(file->model, *options_.attribute);
+    const Result<DmsComponent> component = dms_component(file->model, *options_.attribute);
     if (!component) return fail(component.error());
     report_.path = options_.model;
     report_.sha256 = file->sha256;
@@ -77,14 +77,15 @@ class DmsIsoRun {
  private:
   static constexpr std::size_t kMaxListed = 100;
 
-  Status find(const DmsModel& model, std::size_t component) {
+  Status find(const DmsModel& model, const DmsComponent& component) {
     DmsIsoOptions options;
-    options.attribute = component - 3;
+    options.attribute = component.component - component.spline->num_coordinates;
+    options.map = &model;
     options.level = report_.level;
     options.within = report_.within;
     options.in_solid = options_.in_solid;
     if (options_.max_cells) options.max_cells = static_cast<std::size_t>(*options_.max_cells);
-    Result<DmsIso> iso = find_dms_iso(model, options, kMaxListed);
+    Result<DmsIso> iso = find_dms_iso(*component.spline, options, kMaxListed);
     if (!iso) return iso.error();
     report_.iso = std::move(*iso);
     return ok_status();

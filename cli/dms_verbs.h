@@ -31,8 +31,9 @@ Result<DmsFile> read_dms_file(const std::string& path, ModelReadOptions reading)
 Status try_dms_outputs(std::vector<std::string> inputs, const std::optional<std::string>& output,
                        const std::optional<std::string>& json);
 
-/// The component that has the name of an attribute. @error kBadArgument for another name
-Result<std::size_t> dms_component(const DmsModel& model, const std::string& attribute);
+/// The component that has the name of an attribute, of the model or of its attribute domain; the model must outlive it.
+/// @error kBadArgument for another name
+Result<DmsComponent> dms_component(const DmsModel& model, const std::string& attribute);
 
 /// "PATH: CODE: where; 3 more defects". REQUIRES a defect.
 std::string dms_refusal(const std::string& path, const DmsDefects& defects);

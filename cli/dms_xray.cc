@@ -35,13 +35,13 @@ class DmsXrayRun {
     report_.bytes = file->bytes;
     report_.degree = file->model.degree;
     report_.attribute = *options_.attribute;
-    const Result<std::size_t> component = dms_component(file->model, *options_.attribute);
+    const Result<DmsComponent> component = dms_component(file->model, *options_.attribute);
     if (!component) return fail(component.error());
     report_.defects = find_dms_defects(file->model, kMaxListed);
     const bool is_sound = report_.defects.count == 0;
     if (!is_sound) complain(harmless(dms_refusal(options_.files[0], report_.defects)));
     if (is_sound)
-      if (const Status status = integrate(file->model, *component); !status)
+      if (const Status status = integrate(*component->spline, component->component); !status)
         return fail(status.error());
     report_.seconds = watch.lap();
     const ExitCode exit = is_sound ? kExitValid : kExitInvalid;

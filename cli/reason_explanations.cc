@@ -224,6 +224,14 @@ constexpr auto kReasons = std::to_array<ReasonText>({
      "Knots of a vertex of the boundary on the inner side of one of its faces; at a saddle there is "
      "no place on the outer side of all faces but in their planes.",
      "Move the knots outward, or into the planes of the faces; collapse the cloud."},
+    {"domains-differ", "attributes over another domain than the geometry's",
+     "The boundary of an attribute domain and that of the geometry's domain are not the same set of "
+     "points: the point that the message names is on one of them only. veritope dms refuses the "
+     "model; for certify it is not-covered. Status 1, and 3 for certify.",
+     "An attribute domain that was made for another solid, or whose boundary was rounded; a vertex "
+     "of one boundary that was moved.",
+     "Move the vertices of the boundaries onto each other. Faces may be cut in different ways, but "
+     "exactly in the same planes."},
     {"jacobian", "map that folds a simplex-spline solid",
      "The determinant of the derivative of a simplex-spline solid's map is below 0 at the point of "
      "the domain that is named, or 0 everywhere near it: the map is not one to one onto a solid. "

@@ -88,21 +88,28 @@ void put_dms(const DmsModel& model, Json& out) {
                    {"tetrahedra", model.tetrahedra.size()},
                    {"control_points", model.num_control()}};
 }
+void put_dms_domains(const DmsModel& model, Json& out) {
+  put_dms(model, out);
+  Json& own = out["attribute_domain"] = nullptr;
+  for (const DmsModel& domain : model.attribute_domain) put_dms(domain, own);
+}
 
-std::string dms_lines(const DmsModel& model) {
+std::string dms_lines(const DmsModel& model, bool is_own = false) {
   const DmsCounts counts = counts_of(model);
   std::string names;
   for (const std::string& name : model.attributes)
     names += (names.empty() ? "" : ", ") + harmless(name);
-  std::string out =
-      detail_line("domain", counted(model.tetrahedra.size(), "tetrahedron", "tetrahedra") + ", " +
-                                counted(model.clouds.size(), "vertex", "vertices") + ", " +
-                                counted(counts.knots, "knot", "knots") + ", " +
-                                counted(counts.collapsed, "cloud", "clouds") + " collapsed");
-  out += detail_line("map", "degree " + std::to_string(model.degree) + ", " +
-                                counted(model.num_control(), "control point", "control points") +
-                                (model.control.is_separate ? ", separate" : ", shared"));
+  std::string out = detail_line(is_own ? "attribute domain" : "domain",
+                                counted(model.tetrahedra.size(), "tetrahedron", "tetrahedra") +
+                                    ", " + counted(model.clouds.size(), "vertex", "vertices") +
+                                    ", " + counted(counts.knots, "knot", "knots") + ", " +
+                                    counted(counts.collapsed, "cloud", "clouds") + " collapsed");
+  out += detail_line(is_own ? "functions" : "map",
+                     "degree " + std::to_string(model.degree) + ", " +
+                         counted(model.num_control(), "control point", "control points") +
+                         (model.control.is_separate ? ", separate" : ", shared"));
   if (!names.empty()) out += detail_line("attributes", names);
+  for (const DmsModel& own : model.attribute_domain) out += dms_lines(own, true);
   return out;
 }
 
@@ -116,7 +123,7 @@ std::string plain_json(const InfoReport& report, const ModelFile& file) {
   out["exit"] = static_cast<int>(report.exit);
   out["error"] = fault_json(report.fault);
   if (const auto* const micro = std::get_if<MicroFile>(&file)) put_micro(micro->micro, out);
-  if (const auto* const dms = std::get_if<DmsFile>(&file)) put_dms(dms->model, out);
+  if (const auto* const dms = std::get_if<DmsFile>(&file)) put_dms_domains(dms->model, out);
   return dump(out);
 }
 

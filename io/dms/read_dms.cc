@@ -24,15 +24,26 @@ class DmsReader : SplineJsonLexer {
   bool read();
   DmsFile take() {
     DmsFile file;
-    file.model = std::move(dms_);
+    file.model = std::move(model_);
     file.bytes = source_.size();
     file.beyond_default_limits = SplineTextReader::take().beyond_default_limits;
     return file;
   }
 
  private:
+  // What is read of the model, or of its attribute domain.
+  struct Part {
+    DmsModel* model = nullptr;
+    DmsEntries entries;
+    std::vector<const char*> clouds_at, entries_at;
+  };
+
+  template <typename Value>
+  bool read_in_order(std::initializer_list<std::string_view> keys, Value value,
+                     std::size_t num_optional);
   bool read_member(std::size_t key);
   bool read_format();
+  bool read_attribute_domain();
   bool read_degree();
   bool read_attributes();
   bool read_clouds();
@@ -60,29 +71,34 @@ class DmsReader : SplineJsonLexer {
     return status.has_value() || fail_with(at, status.error());
   }
 
-  DmsModel dms_;
-  DmsEntries entries_;
-  std::vector<const char*> clouds_at_, entries_at_;
+  DmsModel model_;
+  Part part_{&model_, {}, {}, {}};
 };
 
 bool DmsReader::read() {
-  const std::initializer_list<std::string_view> keys = {
-      "format", "degree", "attributes", "vertices", "tetrahedra", "control", "attribute_domain"};
+  const bool ok = read_in_order(
+      {"format", "degree", "attributes", "vertices", "tetrahedra", "control", "attribute_domain"},
+      [&](std::size_t key) { return read_member(key); }, 1);
+  return ok && (is_at_end() || fail_expected("the end of the file"));
+}
+
+template <typename Value>
+bool DmsReader::read_in_order(std::initializer_list<std::string_view> keys, Value value,
+                              std::size_t num_optional) {
   std::size_t next = 0;
-  const bool ok = read_object(
+  return read_object(
       keys,
       [&](std::size_t key) {
         if (key == next) {
           ++next;
-          return read_member(key);
+          return value(key);
         }
         const std::size_t first = std::min(next, key), second = key < next ? next - 1 : key;
         return fail(p_, Code::kSyntax,
                     "the key " + quoted(keys.begin()[first]) + " must come before the key " +
                         quoted(keys.begin()[second]));
       },
-      1);
-  return ok && (is_at_end() || fail_expected("the end of the file"));
+      num_optional);
 }
 
 bool DmsReader::read_member(std::size_t key) {
@@ -93,10 +109,17 @@ bool DmsReader::read_member(std::size_t key) {
     case 3: return read_clouds();
     case 4: return read_tetrahedra();
     case 5: return read_control();
-    default:
-      return fail(p_, Code::kSyntax,
-                  "attributes over a domain of their own ('attribute_domain') are not read yet");
+    default: return read_attribute_domain();
   }
+}
+
+bool DmsReader::read_attribute_domain() {
+  DmsModel& own = model_.attribute_domain.emplace_back();
+  own.num_coordinates = 0;
+  part_ = Part{&own, {}, {}, {}};
+  return read_in_order(
+      {"degree", "attributes", "vertices", "tetrahedra", "control"},
+      [&](std::size_t key) { return read_member(key + 1); }, 0);
 }
 
 bool DmsReader::read_format() {
@@ -114,18 +137,25 @@ bool DmsReader::read_degree() {
   const char* const at = p_;
   std::uint64_t degree = 0;
   if (!read_natural("the degree", kMaxDmsDegree, degree)) return false;
-  dms_.degree = static_cast<int>(degree);
+  part_.model->degree = static_cast<int>(degree);
   return accept(at, check_dms_degree(degree));
 }
 
 bool DmsReader::read_attributes() {
-  return read_list([this] {
+  skip();
+  const char* const start = p_;
+  DmsModel& dms = *part_.model;
+  const bool is_own = &dms != &model_;
+  const bool ok = read_list([&] {
     skip();
     const char* const at = p_;
-    return is_within(dms_.attributes.size() + 1, kMaxDmsAttributes, "attributes") &&
-           read_string(dms_.attributes.emplace_back()) &&
-           accept(at, check_dms_attribute(dms_, dms_.attributes.size() - 1));
+    const std::size_t number = dms.attributes.size();
+    return is_within(number + 1, kMaxDmsAttributes, "attributes") &&
+           read_string(dms.attributes.emplace_back()) &&
+           accept(at, check_dms_attribute(dms, number)) &&
+           (!is_own || accept(at, check_own_attribute(model_, dms, number)));
   });
+  return ok && (!is_own || accept(start, check_has_attributes(dms)));
 }
 
 bool DmsReader::read_clouds() {
@@ -134,22 +164,23 @@ bool DmsReader::read_clouds() {
   const bool ok = read_list([this] {
     skip();
     const char* const at = p_;
-    if (!is_within(dms_.clouds.size() + 1, kMaxDmsVertices, "vertices")) return false;
-    clouds_at_.push_back(at);
-    DmsCloud& cloud = dms_.clouds.emplace_back();
+    if (!is_within(part_.model->clouds.size() + 1, kMaxDmsVertices, "vertices")) return false;
+    part_.clouds_at.push_back(at);
+    DmsCloud& cloud = part_.model->clouds.emplace_back();
     return read_list([&] {
-             if (!is_within(cloud.size() + 1, static_cast<std::size_t>(dms_.degree) + 1,
+             if (!is_within(cloud.size() + 1, static_cast<std::size_t>(part_.model->degree) + 1,
                             "knots of a vertex"))
                return false;
              DmsPoint& knot = cloud.emplace_back();
              return read_counted("a knot", 3,
                                  [&](std::size_t c) { return read_coordinate(knot[c]); });
            }) &&
-           accept(at, check_dms_cloud(dms_, dms_.clouds.size() - 1));
+           accept(at, check_dms_cloud(*part_.model, part_.model->clouds.size() - 1));
   });
-  return ok && (dms_.clouds.size() >= 4 || fail(start, Code::kSyntax,
-                                                "there are " + std::to_string(dms_.clouds.size()) +
-                                                    " vertices, fewer than 4"));
+  return ok && (part_.model->clouds.size() >= 4 ||
+                fail(start, Code::kSyntax,
+                     "there are " + std::to_string(part_.model->clouds.size()) +
+                         " vertices, fewer than 4"));
 }
 
 bool DmsReader::read_tetrahedra() {
@@ -159,13 +190,15 @@ bool DmsReader::read_tetrahedra() {
   const bool ok = read_list([&] {
     skip();
     const char* const at = p_;
-    if (!is_within(dms_.tetrahedra.size() + 1, kMaxDmsTetrahedra, "tetrahedra")) return false;
+    if (!is_within(part_.model->tetrahedra.size() + 1, kMaxDmsTetrahedra, "tetrahedra"))
+      return false;
     corners.clear();
     if (!read_naturals("a tetrahedron", 4, kMaxDmsVertices - 1, corners)) return false;
-    dms_.tetrahedra.push_back({corners[0], corners[1], corners[2], corners[3]});
-    return accept(at, check_dms_tetrahedron(dms_, dms_.tetrahedra.size() - 1));
+    part_.model->tetrahedra.push_back({corners[0], corners[1], corners[2], corners[3]});
+    return accept(at, check_dms_tetrahedron(*part_.model, part_.model->tetrahedra.size() - 1));
   });
-  return ok && (!dms_.tetrahedra.empty() || fail(start, Code::kSyntax, "there are 0 tetrahedra"));
+  return ok &&
+         (!part_.model->tetrahedra.empty() || fail(start, Code::kSyntax, "there are 0 tetrahedra"));
 }
 
 bool DmsReader::read_control() {
@@ -179,20 +212,20 @@ bool DmsReader::read_entry() {
   const char* const at = p_;
   bool has_at = false, has_tetrahedron = false, has_beta = false;
   std::vector<std::uint32_t> vertices, tetrahedron, beta;
-  entries_at_.push_back(at);
+  part_.entries_at.push_back(at);
   const bool ok = read_object(
       {"value", "at", "tetrahedron", "beta"},
       [&](std::size_t key) {
         std::uint64_t number = 0;
         switch (key) {
           case 0:
-            return read_counted("a value", dms_.num_components(), [this](std::size_t) {
-              return read_coordinate(entries_.values.emplace_back());
+            return read_counted("a value", part_.model->num_components(), [this](std::size_t) {
+              return read_coordinate(part_.entries.values.emplace_back());
             });
           case 1:
             has_at = true;
             return read_naturals("the place of a control point",
-                                 static_cast<std::size_t>(dms_.degree), kMaxDmsVertices - 1,
+                                 static_cast<std::size_t>(part_.model->degree), kMaxDmsVertices - 1,
                                  vertices);
           case 2:
             has_tetrahedron = true;
@@ -206,8 +239,8 @@ bool DmsReader::read_entry() {
       3);
   if (!ok || !check_entry(at, has_at, has_tetrahedron, has_beta)) return false;
   for (const auto* const part : {&vertices, &tetrahedron, &beta})
-    entries_.keys.insert(entries_.keys.end(), part->begin(), part->end());
-  return accept(at, check_dms_key(dms_, entries_, entries_at_.size() - 1));
+    part_.entries.keys.insert(part_.entries.keys.end(), part->begin(), part->end());
+  return accept(at, check_dms_key(*part_.model, part_.entries, part_.entries_at.size() - 1));
 }
 
 // Whether the keys are those of one kind, and the kind is that of the entries before.
@@ -222,20 +255,20 @@ bool DmsReader::check_entry(const char* at, bool has_at, bool has_tetrahedron, b
                      : has_tetrahedron ? "'beta'"
                                        : "'at'") +
                     " is missing");
-  if (entries_at_.size() == 1) entries_.are_separate = !has_at;
-  return entries_.are_separate == !has_at ||
+  if (part_.entries_at.size() == 1) part_.entries.are_separate = !has_at;
+  return part_.entries.are_separate == !has_at ||
          fail(at, Code::kSyntax,
               "control points must all be shared or all be separate, as the first one is");
 }
 
 bool DmsReader::set_control(const char* at) {
-  if (entries_.are_separate)
-    if (const Status status = check_separate_clouds(dms_); !status)
-      return accept(clouds_at_[status.error().place.entity.value_or(0)], status);
-  const Status status = set_dms_control(dms_, std::move(entries_));
+  if (part_.entries.are_separate)
+    if (const Status status = check_separate_clouds(*part_.model); !status)
+      return accept(part_.clouds_at[status.error().place.entity.value_or(0)], status);
+  const Status status = set_dms_control(*part_.model, std::move(part_.entries));
   if (status) return true;
   const auto entry = status.error().place.entity;
-  return accept(entry ? entries_at_[*entry] : at, status);
+  return accept(entry ? part_.entries_at[*entry] : at, status);
 }
 
 bool DmsReader::read_naturals(const char* what, std::size_t count, std::uint64_t most,

@@ -172,6 +172,11 @@ bool DmsMoveReader::read_attribute(std::size_t& attribute) {
   if (!read_string(name)) return false;
   const auto found = std::ranges::find(model_.attributes, name);
   attribute = static_cast<std::size_t>(found - model_.attributes.begin());
+  const auto own = find_attribute(model_, name);
+  if (own && own->spline != &model_)
+    return fail(at, Code::kIndexOutOfRange,
+                "the attribute " + quoted(name) +
+                    " has a domain of its own, whose control points are not moved");
   return found != model_.attributes.end() ||
          fail(at, Code::kIndexOutOfRange, "the model has no attribute " + quoted(name));
 }

@@ -18,7 +18,19 @@ class DmsWriter {
   explicit DmsWriter(const DmsModel& model) : model_(model) {}
 
   std::string write() {
-    out_ = "{\"format\": \"veritope-dms-1\",\n\"degree\": ";
+    part("{\"format\": \"veritope-dms-1\",\n");
+    for (const DmsModel& own : model_.attribute_domain) {
+      DmsWriter writer(own);
+      writer.part(",\n\"attribute_domain\": {");
+      out_ += writer.out_ + '}';
+    }
+    return std::move(out_ += "}\n");
+  }
+
+ private:
+  void part(std::string_view begin) {
+    out_ += begin;
+    out_ += "\"degree\": ";
     integer(static_cast<std::uint64_t>(model_.degree));
     out_ += ",\n\"attributes\": ";
     list(model_.attributes, ", ",
@@ -31,10 +43,7 @@ class DmsWriter {
     lines(model_.tetrahedra, [this](const TetrahedronCorners& t) { integers(t); });
     out_ += ",\n\"control\": ";
     model_.control.is_separate ? separate() : shared();
-    return std::move(out_ += "}\n");
   }
-
- private:
   template <typename List, typename Item>
   void list(const List& items, std::string_view separator, Item item,
             std::string_view begin = "[") {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robust/base/check.h"
+#include "solids/dms/dms_boundaries.h"
 #include "solids/dms/dms_domain.h"
 #include "solids/dms/dms_exact_knots_internal.h"
 
@@ -180,12 +181,15 @@ const char* fault_name(DmsFault fault) {
     case DmsFault::kDegenerate: return "cloud-degenerate";
     case DmsFault::kNoCore: return "cloud-no-core";
     case DmsFault::kInside: return "cloud-inside";
+    case DmsFault::kDomainsDiffer: return "domains-differ";
   }
   VT_CHECK(false, "a fault has a name");
   return "";
 }
 
-std::string to_string(const DmsDefect& defect) {
+namespace {
+
+std::string text_within(const DmsDefect& defect) {
   const std::string sign = defect.sign == Sign::kZero ? "d = 0" : "d < 0";
   const std::string tetrahedra = list_text(defect.tetrahedra);
   switch (defect.fault) {
@@ -210,12 +214,52 @@ std::string to_string(const DmsDefect& defect) {
              to_string(defect.beta) +
              ": the hull of these knots of a face of the boundary reaches into tetrahedron " +
              std::to_string(defect.tetrahedra[1]) + " at " + point_text(*defect.point);
+    case DmsFault::kDomainsDiffer:
+      return "the point " + point_text(*defect.point) + " is in a face of the boundary of " +
+             (defect.is_of_attributes ? "the attribute domain" : "the domain") +
+             ", of tetrahedron " + tetrahedra + ", and not on the boundary of " +
+             (defect.is_of_attributes ? "the domain" : "the attribute domain");
   }
   return "";
 }
 
-DmsDefects find_dms_defects(const DmsModel& model, std::size_t max_listed) {
+void add_defects_of_attributes(const DmsModel& model, const DmsModel& own, std::size_t max_listed,
+                               DmsDefects& out) {
+  DmsDefects more = find_geometry_defects(own, max_listed - out.first.size());
+  out.count += more.count;
+  for (DmsDefect& defect : more.first) {
+    defect.is_of_attributes = true;
+    out.first.push_back(std::move(defect));
+  }
+  if (out.count > 0) return;
+  auto difference = find_boundary_difference(model, own);
+  if (!difference) return;
+  ++out.count;
+  if (max_listed == 0) return;
+  DmsDefect& defect = out.first.emplace_back();
+  defect.fault = DmsFault::kDomainsDiffer;
+  defect.is_of_attributes = difference->is_of_second;
+  defect.tetrahedra = {face_tetrahedron(difference->face)};
+  defect.faces = {difference->face};
+  defect.point = std::move(difference->point);
+}
+
+}  // namespace
+
+std::string to_string(const DmsDefect& defect) {
+  const bool is_named = defect.is_of_attributes && defect.fault != DmsFault::kDomainsDiffer;
+  return (is_named ? "attribute domain: " : "") + text_within(defect);
+}
+
+DmsDefects find_geometry_defects(const DmsModel& model, std::size_t max_listed) {
   return DmsDefectSearch(model, max_listed).run();
+}
+
+DmsDefects find_dms_defects(const DmsModel& model, std::size_t max_listed) {
+  DmsDefects out = find_geometry_defects(model, max_listed);
+  for (const DmsModel& own : model.attribute_domain)
+    add_defects_of_attributes(model, own, max_listed, out);
+  return out;
 }
 
 }  // namespace veritope

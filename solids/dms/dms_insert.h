@@ -1,35 +1,39 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/dms_insert.h: a vertex inside of a tetrahedron, which becomes four, so that the map stays what it is.
-// Theory and design: docs/design/0099-refining-and-editing-simplex-spline-solids.md.
+// solids/dms/dms_insert.h: another vertex, inside of a tetrahedron, on a face or on an edge, so that the map stays what
+// it is or changes by as little as is proved. Theory and design: docs/THEORY.md, DMS-3;
+// docs/design/0099-refining-and-editing-simplex-spline-solids.md, 0103-attribute-domains-and-splits.md.
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "robust/base/result.h"
+#include "solids/dms/dms_change.h"
 #include "solids/dms/dms_defects.h"
 #include "solids/dms/dms_model.h"
-#include "splines/dms_blossom.h"
 
 namespace veritope {
 
-/// The polynomial of a tetrahedron: its control points as a B-patch.
-/// REQUIRES d(W_γ) != 0 for |γ| < degree, a model that validate() accepts.
-BPatch<Rational> patch_of_tetrahedron(const DmsModel& model, std::uint32_t tetrahedron);
-
 struct DmsInsertion {
-  /// The new vertex T is the last one. The part of the tetrahedron with T in the place of corner 0 has its number;
-  /// those with T in the place of corners 1, 2, 3 come after all others.
+  /// The new vertex T is the last one. Of each tetrahedron that was cut, the part with T in the place of the first corner
+  /// that T's simplex has keeps the number; the others come after all others, by tetrahedra and then by corners.
   DmsModel model;
-  std::uint32_t tetrahedron = 0;  ///< the one that was cut
-  /// If there are any, condition (a) does not hold for the new knots, and the map of the model may be another.
+  DmsCut cut;
+  std::uint32_t tetrahedron = 0;  ///< the first one that was cut
+  /// If there are any, a condition does not hold for the new knots, the map of the model may be another, and there are
+  /// no changes.
   DmsDefects defects;
+  /// For each component: bounds of the change of the map, 0 where it stays equal.
+  std::vector<DmsChange> change;
 };
 
-/// Cuts the tetrahedron that has the first knot of the cloud inside. Values and derivatives stay exactly equal: the
-/// control points at T are values of the tetrahedron's blossom, and the others stay. (On the boundary rule H may enter
-/// the domain on another path; then derivatives at creases are those of another cell.)
-/// REQUIRES a model without defects. @error kBadArgument for separate control points, for a point that is not inside of
-/// a tetrahedron, for a cloud of another size than 1, n or n + 1; kOverLimit for numbers too long for a file
-/// @cost a blossom for each new control point; linear in the model
+/// Cuts the tetrahedra that have the first knot of the cloud inside, on a face or on an edge. The control points at T
+/// are values of the blossoms of these tetrahedra, and the others stay. Inside of a tetrahedron values and derivatives
+/// stay exactly equal. (On the boundary rule H may enter the domain on another path; then derivatives at creases are
+/// those of another cell.) On faces and edges a control point at T that several tetrahedra have is the mean of what
+/// their blossoms say, component by component: that is the one with the least sum of squared distances from them.
+/// REQUIRES a model without defects. @error kBadArgument for separate control points, for a point outside of the domain
+/// or at a vertex, for a cloud of another size than 1, n or n + 1; kOverLimit for numbers too long for a file
+/// @cost a blossom for each new control point, and what bound_dms_change costs; linear in the model
 Result<DmsInsertion> insert_dms_vertex(const DmsModel& model, const DmsCloud& cloud);
 
 }  // namespace veritope

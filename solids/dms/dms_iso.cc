@@ -7,6 +7,7 @@
 #include <queue>
 #include <utility>
 
+#include "solids/dms/dms_evaluator.h"
 #include "solids/dms/dms_hulls.h"
 #include "solids/dms/dms_iso_cells_internal.h"
 #include "solids/dms/dms_iso_mesh_internal.h"
@@ -150,7 +151,8 @@ const char* doubt_name(DmsIsoDoubt doubt) {
 Result<DmsIso> find_dms_iso(const DmsModel& model, const DmsIsoOptions& options,
                             std::size_t max_listed) {
   DmsIso out;
-  if (model.control.is_separate && find_disagreeing_control(model, 3 + options.attribute, 1))
+  if (model.control.is_separate &&
+      find_disagreeing_control(model, model.num_coordinates + options.attribute, 1))
     out.obstacle = "control-disagrees";
   // The first search is short and separates sheets; the second one is for all else.
   std::unique_ptr<IsoCells> cells;
@@ -163,7 +165,9 @@ Result<DmsIso> find_dms_iso(const DmsModel& model, const DmsIsoOptions& options,
   }
   out.certified = !out.obstacle && out.num_undecided == 0;
   out.cells = cells->num_alive;
-  if (const Status status = internal::draw_iso(*cells, options.in_solid, out); !status)
+  std::optional<DmsEvaluator> map;
+  if (options.in_solid) map.emplace(options.map != nullptr ? *options.map : model);
+  if (const Status status = internal::draw_iso(*cells, map ? &*map : nullptr, out); !status)
     return status.error();
   return out;
 }

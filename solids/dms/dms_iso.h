@@ -18,7 +18,9 @@ struct DmsIsoOptions {
   std::size_t attribute = 0;
   Rational level;
   Rational within = Rational(1);  ///< cells that the surface crosses are not wider
-  bool in_solid = false;          ///< vertices are mapped by the model
+  bool in_solid = false;          ///< vertices are mapped
+  /// What maps them: the model itself if null; that to which an attribute domain belongs.
+  const DmsModel* map = nullptr;
   std::size_t max_cells = 20'000;
   int max_rounds = 90;  ///< cuts of one cell after another for the proof's sake
 };
@@ -32,7 +34,7 @@ enum class DmsIsoDoubt {
 const char* doubt_name(DmsIsoDoubt doubt);
 
 struct DmsIsoCell {
-  std::uint32_t tetrahedron = 0;  ///< of the domain
+  std::uint32_t tetrahedron = 0;  ///< of the domain of the attribute
   std::array<DmsPoint, 4> corners;
   DmsIsoDoubt why = DmsIsoDoubt::kOpen;
 };
@@ -52,6 +54,7 @@ struct DmsIso {
   std::vector<DmsIsoCell> undecided;  ///< the first ones
 };
 
+/// @param model  one that has the attribute: for an attribute over a domain of its own the attribute domain
 /// REQUIRES a model without defects of its domain and its clouds (solids/dms/dms_defects.h), attribute <
 /// model.attributes.size(), within > 0.
 /// @error kNotFinite for a vertex beyond binary64

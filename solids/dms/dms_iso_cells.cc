@@ -82,7 +82,8 @@ bool IsoCells::is_wide(const IsoCell& cell) const {
 Rational IsoCells::value_at(const DmsPoint& point) {
   const auto place = evaluator_.locate(point);
   VT_CHECK(place.has_value(), "points of cells are in the domain");
-  return evaluator_.evaluate(*place).value[3 + options_.attribute] - options_.level;
+  return evaluator_.evaluate(*place).value[model_.num_coordinates + options_.attribute] -
+         options_.level;
 }
 
 DmsPoint IsoCells::between(std::uint32_t a, std::uint32_t b, const Rational& t) const {
@@ -116,7 +117,7 @@ const IsoCells::LinearTerm& IsoCells::term(const DmsSupport& support) {
   for (std::size_t m = 0; m < 4; ++m) {
     places[m] = model_.knot(t[m], support.gamma[m]);
     const std::size_t c = control_of(model_, support.tetrahedron, raised(support.gamma, m));
-    values[m][0] = model_.value(c)[3 + options_.attribute] - options_.level;
+    values[m][0] = model_.value(c)[model_.num_coordinates + options_.attribute] - options_.level;
   }
   const DmsMatrix linear = linear_part(places, values);
   return terms_.emplace(key, LinearTerm{{linear[0], linear[1], linear[2]}, places[0], values[0][0]})

@@ -41,7 +41,6 @@ class IsoCells {
   std::size_t num_alive = 0;
 
   const DmsIsoRule& rule() const { return rule_; }
-  DmsEvaluator& evaluator() { return evaluator_; }
   bool has_zero(const IsoCell& cell) const;
   std::size_t longest_edge(const IsoCell& cell) const;
   double squared_length(std::uint32_t a, std::uint32_t b) const;

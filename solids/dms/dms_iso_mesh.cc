@@ -35,8 +35,8 @@ double root_of(const std::vector<Interval>& b, int sign_at_0) {
 
 class IsoDrawing {
  public:
-  IsoDrawing(IsoCells& cells, bool in_solid, DmsIso& out)
-      : cells_(cells), in_solid_(in_solid), out_(out) {}
+  IsoDrawing(IsoCells& cells, DmsEvaluator* map, DmsIso& out)
+      : cells_(cells), map_(map), out_(out) {}
 
   Status run() {
     for (const IsoCell& cell : cells_.cells)
@@ -86,10 +86,10 @@ class IsoDrawing {
         numbers_.try_emplace({a, b}, static_cast<std::uint32_t>(out_.mesh.positions.size()));
     if (!is_new) return found->second;
     DmsPoint at = cells_.between(a, b, Rational::from_double(root(cell, i, j)));
-    if (in_solid_) {
-      const auto place = cells_.evaluator().locate(at);
+    if (map_ != nullptr) {
+      const auto place = map_->locate(at);
       VT_CHECK(place.has_value(), "points of cells are in the domain");
-      const DmsValue value = cells_.evaluator().evaluate(*place);
+      const DmsValue value = map_->evaluate(*place);
       std::copy_n(value.value.begin(), 3, at.begin());
     }
     const Vec3d p{nearest_double(at[0]), nearest_double(at[1]), nearest_double(at[2])};
@@ -163,7 +163,7 @@ class IsoDrawing {
   }
 
   IsoCells& cells_;
-  bool in_solid_;
+  DmsEvaluator* map_;
   DmsIso& out_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;
   bool is_finite_ = true;
@@ -171,8 +171,8 @@ class IsoDrawing {
 
 }  // namespace
 
-Status draw_iso(IsoCells& cells, bool in_solid, DmsIso& out) {
-  return IsoDrawing(cells, in_solid, out).run();
+Status draw_iso(IsoCells& cells, DmsEvaluator* map, DmsIso& out) {
+  return IsoDrawing(cells, map, out).run();
 }
 
 }  // namespace veritope::internal

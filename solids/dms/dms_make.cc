@@ -29,6 +29,8 @@ void add_multisets(const std::array<std::uint32_t, N>& simplex, int n,
 Status check_identity(const DmsModel& domain) {
   if (domain.degree != 1)
     return bad_argument("a domain must have degree 1, not " + std::to_string(domain.degree));
+  if (!domain.attribute_domain.empty())
+    return bad_argument("a domain must not have an attribute domain");
   if (domain.control.is_separate) return bad_argument("a domain must have shared control points");
   for (std::size_t c = 0; c < domain.num_control(); ++c) {
     const std::uint32_t v = domain.control.at[c];

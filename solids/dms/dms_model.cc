@@ -7,6 +7,21 @@
 
 namespace veritope {
 
+std::vector<std::string> all_attributes(const DmsModel& model) {
+  std::vector<std::string> out = model.attributes;
+  for (const DmsModel& own : model.attribute_domain)
+    out.insert(out.end(), own.attributes.begin(), own.attributes.end());
+  return out;
+}
+
+std::optional<DmsComponent> find_attribute(const DmsModel& model, std::string_view name) {
+  for (std::size_t a = 0; a < model.attributes.size(); ++a)
+    if (model.attributes[a] == name) return DmsComponent{&model, model.num_coordinates + a};
+  for (const DmsModel& own : model.attribute_domain)
+    if (auto found = find_attribute(own, name)) return found;
+  return std::nullopt;
+}
+
 std::optional<std::size_t> find_control(const DmsModel& model,
                                         std::span<const std::uint32_t> vertices) {
   const auto n = static_cast<std::size_t>(model.degree);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "robust/base/result.h"
@@ -36,7 +37,7 @@ struct DmsControl {
   /// order of them. If separate: empty; control point tetrahedral_index(β) of tetrahedron I is number I
   /// num_tetrahedral_indices(degree) + tetrahedral_index(β).
   std::vector<std::uint32_t> at;
-  /// For each control point x, y, z and the attributes.
+  /// For each control point x, y, z, which an attribute domain lacks, and the attributes.
   std::vector<Rational> values;
   friend bool operator==(const DmsControl&, const DmsControl&) = default;
 };
@@ -47,11 +48,16 @@ struct DmsModel {
   std::vector<DmsCloud> clouds;  ///< for each vertex
   std::vector<TetrahedronCorners> tetrahedra;
   DmsControl control;
+  /// Numbers of a value before the attributes: x, y, z. An attribute domain has 0.
+  std::size_t num_coordinates = 3;
+  /// Further attributes, over a domain of their own: at most one model, with num_coordinates 0 and without a further
+  /// one. What works on one spline takes the model for itself, or this one, and does not look for the other.
+  std::vector<DmsModel> attribute_domain = {};
 
   friend bool operator==(const DmsModel&, const DmsModel&) = default;
 
-  /// Numbers of a value: the coordinates and the attributes.
-  std::size_t num_components() const { return 3 + attributes.size(); }
+  /// Numbers of a value: the coordinates and the attributes, without those of the attribute domain.
+  std::size_t num_components() const { return num_coordinates + attributes.size(); }
   std::size_t num_control() const { return control.values.size() / num_components(); }
   /// The greatest |γ| of the sets of knots that the conditions on clouds speak of: N of docs/formats/dms-files.md.
   int condition_degree() const { return control.is_separate ? degree : degree - 1; }
@@ -66,6 +72,17 @@ struct DmsModel {
   }
 };
 
+/// The names of all attributes: those of the model, then those of its attribute domain.
+std::vector<std::string> all_attributes(const DmsModel& model);
+
+/// A component of the values of a model or of its attribute domain.
+struct DmsComponent {
+  const DmsModel* spline = nullptr;
+  std::size_t component = 0;
+};
+/// Where the attribute of this name is; nothing if there is none. The model must outlive the answer.
+std::optional<DmsComponent> find_attribute(const DmsModel& model, std::string_view name);
+
 /// The control point of a multiset of vertices, which are ascending; nothing if it does not exist.
 /// REQUIRES shared control points, as many vertices as the degree. @cost a binary search
 std::optional<std::size_t> find_control(const DmsModel& model,
@@ -78,7 +95,7 @@ std::size_t control_of(const DmsModel& model, std::uint32_t tetrahedron,
                        const TetrahedralIndex& beta);
 
 /// Whether all that "The file" of docs/formats/dms-files.md demands holds; the places name vertices, tetrahedra and
-/// control points as entities.
+/// control points as entities, of the attribute domain if the message says so. An attribute domain by itself is accepted.
 Status validate(const DmsModel& model);
 
 /// The text of an index: "(1,0,2,0)".

@@ -58,6 +58,23 @@ Status check_dms_attribute(const DmsModel& model, std::size_t number) {
                       std::to_string(number) + " have the same name");
 }
 
+Status check_own_attribute(const DmsModel& model, const DmsModel& own, std::size_t number) {
+  if (model.attributes.size() + number >= kMaxDmsAttributes)
+    return dms_error(Code::kOverLimit,
+                     "more than " + std::to_string(kMaxDmsAttributes) + " attributes");
+  const auto& names = model.attributes;
+  const auto found = std::find(names.begin(), names.end(), own.attributes[number]);
+  if (found == names.end()) return ok_status();
+  return bad_argument("attribute " + std::to_string(number) +
+                      " of the attribute domain has the name of attribute " +
+                      std::to_string(found - names.begin()) + " of the model");
+}
+
+Status check_has_attributes(const DmsModel& own) {
+  return own.attributes.empty() ? bad_argument("the attribute domain has no attributes")
+                                : ok_status();
+}
+
 Status check_dms_number(const Rational& number) {
   if (number.numerator().bit_length() <= kMaxDmsBits &&
       number.denominator().bit_length() <= kMaxDmsBits)
@@ -144,7 +161,10 @@ DmsEntries entries_of(const DmsModel& model) {
 
 }  // namespace
 
-Status validate(const DmsModel& model) {
+namespace {
+
+// The rules of one spline.
+Status validate_spline(const DmsModel& model) {
   if (model.degree < 0) return bad_argument("the degree must be from 1 to 9");
   if (const Status s = check_dms_degree(static_cast<std::uint64_t>(model.degree)); !s) return s;
   if (model.attributes.size() > kMaxDmsAttributes || model.clouds.size() > kMaxDmsVertices ||
@@ -161,10 +181,37 @@ Status validate(const DmsModel& model) {
     return bad_argument("the numbers of keys and values of control points do not agree");
   for (std::size_t e = 0; e < entries.keys.size() / key; ++e)
     if (const Status status = check_dms_key(model, entries, e); !status) return status;
-  DmsModel bare{model.degree, model.attributes, model.clouds, model.tetrahedra, {}};
+  DmsModel bare{model.degree, model.attributes,     model.clouds, model.tetrahedra,
+                {},           model.num_coordinates};
   if (const Status status = set_dms_control(bare, entries); !status) return status;
   if (bare.control == model.control) return ok_status();
   return bad_argument("the control points are not in ascending order");
+}
+
+Status validate_own(const DmsModel& model, const DmsModel& own) {
+  if (own.num_coordinates != 0 || !own.attribute_domain.empty())
+    return bad_argument("an attribute domain has neither coordinates nor a domain in it");
+  if (const Status status = check_has_attributes(own); !status) return status;
+  for (std::size_t a = 0; a < own.attributes.size(); ++a)
+    if (const Status status = check_own_attribute(model, own, a); !status) return status;
+  Status status = validate_spline(own);
+  if (status) return status;
+  Error error = status.error();
+  error.message = "attribute domain: " + error.message;
+  return error;
+}
+
+}  // namespace
+
+Status validate(const DmsModel& model) {
+  if (model.num_components() == 0 || (model.num_coordinates != 3 && model.num_coordinates != 0))
+    return bad_argument("a value begins with three coordinates");
+  if (model.attribute_domain.size() > (model.num_coordinates == 3 ? 1u : 0u))
+    return bad_argument("a model has at most one attribute domain");
+  if (Status status = validate_spline(model); !status) return status;
+  for (const DmsModel& own : model.attribute_domain)
+    if (Status status = validate_own(model, own); !status) return status;
+  return ok_status();
 }
 
 }  // namespace veritope

@@ -15,6 +15,11 @@ namespace veritope {
 Status check_dms_degree(std::uint64_t degree);
 /// The name, and that no attribute before it has it. REQUIRES number < model.attributes.size().
 Status check_dms_attribute(const DmsModel& model, std::size_t number);
+/// What attributes of an attribute domain have to obey besides: the name is that of no attribute of the model, and
+/// there are at most kMaxDmsAttributes in all. REQUIRES number < own.attributes.size().
+Status check_own_attribute(const DmsModel& model, const DmsModel& own, std::size_t number);
+/// Whether an attribute domain has an attribute.
+Status check_has_attributes(const DmsModel& own);
 /// Numerator and denominator are below 2^kMaxDmsBits.
 Status check_dms_number(const Rational& number);
 /// How many knots the vertex has. REQUIRES check_dms_degree.

@@ -3,6 +3,7 @@
 """Both checkers of dms-solid-1: honest certificates of `veritope certify` are accepted, and each lie dies by the condition that is named.
 VERITOPE names the program."""
 import copy
+import itertools
 import json
 import os
 import pathlib
@@ -101,6 +102,57 @@ class Honest(Case):
                 leaf = forged.body.trees[0][0]
                 forged.body.trees[0] = [["cut", edge, at], leaf, leaf]
                 self.judged("ACCEPT", forged)
+
+
+def own_domain(degree=1, attributes=("heat",)):
+    """An attribute domain: one tetrahedron that has nothing to do with the model."""
+    control = [{"at": list(at), "value": ["1/2"] * len(attributes)} for at in itertools.combinations_with_replacement(range(4), degree)]
+    return {"degree": degree, "attributes": list(attributes), "vertices": [[[str(9 * (i == a)) for a in range(3)]] for i in range(-1, 3)],
+            "tetrahedra": [[0, 1, 2, 3]], "control": control}
+
+
+class AttributeDomains(Case):
+    def with_domain(self, change=lambda own, file: None, **own):
+        proof = self.proof(block(2))
+        file = json.loads(proof.data)
+        file["attribute_domain"] = own_domain(**own)
+        change(file["attribute_domain"], file)
+        proof.data = json.dumps(file).encode()
+        return proof
+
+    def test_they_mean_nothing(self):
+        for own in {}, {"degree": 3, "attributes": ("heat", "load")}:
+            self.judged("ACCEPT", self.with_domain(**own))
+        # A reversed tetrahedron, far away: syntax is all that is looked at.
+        self.judged("ACCEPT", self.with_domain(lambda own, _: own["tetrahedra"][0].reverse()))
+
+    def test_the_claim_is_about_the_geometry(self):
+        def swap(_, file):
+            file["tetrahedra"][3][:2] = file["tetrahedra"][3][1::-1]
+        self.judged("D1", self.with_domain(swap))
+
+    def test_what_the_format_forbids_is_refused(self):
+        def turn(own, file):
+            file["attribute_domain"] = dict(reversed(own.items()))
+
+        def move(own, file):
+            file["control"] = file.pop("control")  # now the last key
+        changes = (lambda own, _: own.pop("degree"), lambda own, _: own.update(format="veritope-dms-1"), lambda own, _: own.update(degree=0),
+                   lambda own, _: own.update(degree=10), lambda own, _: own.update(attributes=[]), lambda own, _: own.update(attributes=[""]),
+                   lambda own, _: own.update(attributes=["a", "b"]), lambda own, _: own["vertices"].pop(),
+                   lambda own, _: own["vertices"][0].append(["1", "2"]), lambda own, _: own["tetrahedra"].clear(),
+                   lambda own, _: own["tetrahedra"].append([0, 1, 2, 4]), lambda own, _: own["control"].pop(),
+                   lambda own, _: own["control"].append(own["control"][0]), lambda own, _: own["control"][0]["value"].append("0"),
+                   lambda own, _: own["control"][0].update(value=["1/0"]), lambda own, _: own["control"][0].update(at=[4]),
+                   lambda own, file: file.update(attribute_domain=None), lambda own, file: file.update(attribute_domain=[own]),
+                   lambda own, _: own.update(attribute_domain=own_domain()), turn, move,
+                   lambda own, file: (file.update(attributes=["heat"]), [c["value"].append("1") for c in file["control"]]),
+                   lambda own, _: own.update(attributes=[str(i) for i in range(257)], control=[
+                       {"at": c["at"], "value": ["1"] * 257} for c in own["control"]]))
+        for number, change in enumerate(changes):
+            proof = self.with_domain(change)
+            code, line = judges.both(proof.data, proof.certificate())
+            self.assertEqual(code, 4, (number, line))
 
 
 class Refuted(Case):

@@ -170,9 +170,8 @@ TEST(Dms, RefusalsOfControlPointsHaveTheirLine) {
       "not-finite@12");
   EXPECT_EQ(outcome_of("[\"0\", \"0\", \"0\", \"1\"]", "[\"0\", \"0\", \"0\", \"0x1p2048\"]"),
             "over-limit@12: numerators and denominators must be below 2^2048");
-  EXPECT_EQ(
-      outcome_of("}]}", "}],\n\"attribute_domain\": {}}"),
-      "syntax@22: attributes over a domain of their own ('attribute_domain') are not read yet");
+  EXPECT_EQ(outcome_of("}]}", "}],\n\"attribute_domain\": {}}"),
+            "syntax@22: the key 'degree' is missing");
   EXPECT_EQ(outcome_of("}]}", "}]} x"),
             "syntax@21: the end of the file expected, but there is 'x'");
   EXPECT_EQ(outcome_of("}]}", "}],\n\"model\": 1}"), "syntax@22: unknown key 'model'");
@@ -198,13 +197,79 @@ TEST(Dms, SeparateControlPointsNeedWholeClouds) {
             "syntax@12: beta must have 4 items, not 3");
 }
 
+const std::string& own_dms() {
+  static const std::string text =
+      io_test::slurp(test::source_dir() + "/tests/models/dms/attribute_domain.vdms");
+  return text;
+}
+
+TEST(Dms, RefusalsWithinAnAttributeDomainHaveTheirLine) {
+  ASSERT_EQ(outcome_of(parse_dms(own_dms())), "ok");
+  const std::size_t begin = own_dms().find("\"attribute_domain\"");
+  const auto outcome = [&](const std::string& from, const std::string& to) {
+    return outcome_of(
+        parse_dms(own_dms().substr(0, begin) + with_change(from, to, own_dms().substr(begin))));
+  };
+  EXPECT_EQ(outcome("{\"degree\": 1,\n", "{"),
+            "syntax@22: the key 'degree' must come before the key 'attributes'");
+  EXPECT_EQ(outcome("\"degree\": 1", "\"degree\": 0"),
+            "bad-argument@22: the degree must be from 1 to 9, not 0");
+  EXPECT_EQ(outcome("{\"degree\": 1", "{\"format\": \"veritope-dms-1\", \"degree\": 1"),
+            "syntax@22: unknown key 'format'");
+  EXPECT_EQ(outcome("{\"degree\": 1", "null, \"degree\": 1").substr(0, 9), "syntax@22");
+  EXPECT_EQ(outcome("[\"heat\"]", "[]"), "bad-argument@23: the attribute domain has no attributes");
+  EXPECT_EQ(outcome("[\"heat\"]", "[\"density\"]"),
+            "bad-argument@23: attribute 0 of the attribute domain has the name of attribute 0 of "
+            "the model");
+  EXPECT_EQ(outcome("[\"heat\"]", "[\"heat\", \"heat\"]"),
+            "bad-argument@23: attributes 0 and 1 have the same name");
+  EXPECT_EQ(outcome("[\"heat\"]", "[\"heat\", \"load\"]"),
+            "syntax@34: a value must have 2 items, not 1");
+  EXPECT_EQ(outcome("[0,4,2,3]", "[0,5,2,3]"),
+            "index-out-of-range@31: tetrahedron 0 has vertex 5 of 5");
+  EXPECT_EQ(outcome("[[\"1\", \"0\", \"0\"]]", "[]"),
+            "bad-argument@26: vertex 1 must have 1, 1 or 2 knots, not 0");
+  EXPECT_EQ(outcome("{\"at\": [0], \"value\": [\"0\"]},\n", ""),
+            "bad-argument@33: there is no control point of the vertices [0]");
+  EXPECT_EQ(outcome("{\"at\": [4]", "{\"at\": [3]"),
+            "bad-argument@38: there are two control points of the vertices [3]");
+  EXPECT_EQ(outcome("{\"at\": [4], ", "{"), "syntax@38: the key 'at' is missing");
+  EXPECT_EQ(outcome("[\"1\"]}]}", "[\"nan\"]}]}").substr(0, 13), "not-finite@38");
+  EXPECT_EQ(outcome("[\"1\"]}]}", "[\"1\"]}],\n\"attribute_domain\": {}}"),
+            "syntax@39: unknown key 'attribute_domain'");
+  EXPECT_EQ(outcome("}]}}", "}]},\n\"attribute_domain\": {}}"),
+            "syntax@39: the key 'attribute_domain' occurs twice");
+  EXPECT_EQ(outcome("}]}}", "}]},\n\"control\": []}"), "syntax@39: the key 'control' occurs twice");
+  EXPECT_EQ(outcome_of("\"control\"", "\"attribute_domain\": {}, \"control\""),
+            "syntax@11: the key 'control' must come before the key 'attribute_domain'");
+}
+
+TEST(Dms, AttributeDomainsComeBackByteForByte) {
+  EXPECT_EQ(write_dms(parse_dms(own_dms())->model), own_dms());
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    DmsModel model = draw_dms(seed, 3).model, own = draw_dms(seed + 100, 3, 0).model;
+    if (seed % 2 == 0) own = internal::separated(own);
+    // The coordinates become the attributes.
+    own.num_coordinates = 0;
+    own.attributes = {"p", "q", "r"};
+    model.attribute_domain = {own};
+    ASSERT_TRUE(validate(model)) << validate(model).error().message;
+    const std::string bytes = write_dms(model);
+    const auto file = parse_dms(bytes);
+    ASSERT_TRUE(file) << "seed " << seed << ": " << outcome_of(file);
+    EXPECT_EQ(file->model, model) << "seed " << seed;
+    EXPECT_EQ(write_dms(file->model), bytes) << "seed " << seed;
+  }
+}
+
 // Each prefix is refused with a line, and nothing of it is believed.
 TEST(Dms, PrefixesAreRefused) {
-  for (std::size_t size = 0; size + 1 < one_dms().size(); ++size) {
-    const auto file = parse_dms(one_dms().substr(0, size));
-    ASSERT_FALSE(file) << size;
-    ASSERT_TRUE(file.error().place.line.has_value()) << size;
-  }
+  for (const std::string& whole : {one_dms(), own_dms()})
+    for (std::size_t size = 0; size + 1 < whole.size(); ++size) {
+      const auto file = parse_dms(whole.substr(0, size));
+      ASSERT_FALSE(file) << size;
+      ASSERT_TRUE(file.error().place.line.has_value()) << size;
+    }
 }
 
 TEST(Dms, IsRecognisedByItsNameAndItsFirstMember) {

@@ -116,6 +116,7 @@ class DmsCertification {
   // What is not decided; else all is proved, or there is a refutation.
   std::optional<Finding> decide() {
     if (find_defects()) return std::nullopt;
+    if (auto found = attribute_domain()) return found;
     if (auto found = long_numbers()) return found;
     if (auto found = separate_control()) return found;
     if (auto found = hulls()) return found;
@@ -131,11 +132,20 @@ class DmsCertification {
 
   bool find_defects() {
     const DmsDefects defects =
-        find_dms_defects(model_, std::max<std::size_t>(1, options_.max_findings));
+        find_geometry_defects(model_, std::max<std::size_t>(1, options_.max_findings));
     num_defects_ = defects.count;
     for (const DmsDefect& defect : defects.first)
       refutations_.push_back(refutation_of(defect, complex_));
     return defects.count > 0;
+  }
+
+  // The certificate is about the map alone, but a model whose attributes have no sound domain is not called VALID.
+  std::optional<Finding> attribute_domain() const {
+    if (model_.attribute_domain.empty()) return std::nullopt;
+    const DmsDefects defects = find_dms_defects(model_, 1);
+    if (defects.count == 0) return std::nullopt;
+    const DmsDefect& first = defects.first[0];
+    return reason(std::string(fault_name(first.fault)) + ": " + to_string(first), "not-covered");
   }
 
   std::optional<Finding> long_numbers() const {

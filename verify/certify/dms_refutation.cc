@@ -88,6 +88,7 @@ certificate::DmsInvalidFinding proof_of(const DmsDefect& defect,
       return certificate::DmsDegenerateCloud{defect.tetrahedra[0], name_of(defect.beta)};
     case DmsFault::kNoCore: return no_core_proof(defect);
     case DmsFault::kInside: return inside_proof(defect);
+    case DmsFault::kDomainsDiffer: break;  // not of the geometry, and so no finding of this claim
   }
   return {};
 }

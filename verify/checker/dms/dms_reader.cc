@@ -11,7 +11,9 @@ struct DmsReader : JsonReader {
   DmsReader(const std::string& text, size_t* begin) : JsonReader(text, begin) {}
 
   DmsFile out;
-  size_t attributes = 0, kinds = 0;                 // kinds: bit 0: shared, bit 1: separate
+  size_t coordinates = 3;                           // of a value; 0 in an attribute domain
+  std::map<std::string, bool> seen_names;           // those of the geometry, too
+  size_t attributes = 0, points = 0, kinds = 0;     // kinds: bit 0: shared, bit 1: separate
   std::vector<size_t> sizes;                        // of clouds
   std::map<std::vector<uint32_t>, uint32_t> at_of;  // shared control points
   std::vector<bool> is_used;
@@ -41,13 +43,14 @@ struct DmsReader : JsonReader {
   }
 
   void names() {
-    std::map<std::string, bool> seen;
-    attributes = items(kMostAttributes, "more than 256 attributes", [&](size_t) {
+    const size_t most = kMostAttributes - seen_names.size();
+    attributes = items(most, "more than 256 attributes", [&](size_t) {
       next();
       const std::string s = string();
       expect(!s.empty(), "an attribute has no name");
-      expect(seen.emplace(s, true).second, "two attributes have one name");
+      expect(seen_names.emplace(s, true).second, "two attributes have one name");
     });
+    expect(coordinates + attributes > 0, "an attribute domain has no attributes");
   }
   void knot() {
     expect(
@@ -74,11 +77,11 @@ struct DmsReader : JsonReader {
   }
 
   void value() {
-    const size_t all = 3 + attributes;
+    const size_t all = coordinates + attributes;
     expect(items(all, "a value has too many numbers",
                  [&](size_t i) {
                    Ratio r = number();
-                   if (i < 3) out.values.push_back(std::move(r));
+                   if (i < coordinates) out.values.push_back(std::move(r));
                  }) == all,
            "a value has too few numbers");
   }
@@ -110,7 +113,7 @@ struct DmsReader : JsonReader {
     expect(seen == 3 || seen == 13, "a control point has a wrong set of keys");
     kinds |= seen == 3 ? 1 : 2;
     expect(kinds != 3, "shared and separate control points");
-    const uint32_t number = uint32_t(out.values.size() / 3 - 1);
+    const uint32_t number = uint32_t(points++);
     if (seen == 3) {
       expect(at_list.size() == n, "at has not n numbers");
       expect(std::is_sorted(at_list.begin(), at_list.end()), "the numbers of at decrease");
@@ -149,22 +152,38 @@ struct DmsReader : JsonReader {
     for (bool used : is_used) expect(used, "a control point belongs to no tetrahedron");
   }
 
+  void member(size_t key) {
+    if (key == 0) out.n = int(natural(kMostDmsDegree));
+    if (key == 0) expect(out.n >= 1, "the degree is 0");
+    if (key == 1) names();
+    if (key == 2) items(kMostDmsItems, "too many vertices", [&](size_t) { cloud(); });
+    if (key == 2) expect(out.clouds.size() >= 4, "fewer than four vertices");
+    if (key == 3) items(kMostDmsItems, "too many tetrahedra", [&](size_t) { tetrahedron(); });
+    if (key == 3) expect(!out.tetrahedra.empty(), "no tetrahedra");
+    if (key == 4) control();
+  }
+  // What an attribute domain says is read and forgotten.
+  void attribute_domain() {
+    DmsReader own(text, &at);
+    own.coordinates = 0;
+    own.seen_names = seen_names;
+    size_t expected = 0;
+    own.object({"degree", "attributes", "vertices", "tetrahedra", "control"}, [&](size_t key) {
+      expect(key == expected++, "the keys of the attribute domain are in another order");
+      own.member(key);
+    });
+  }
   void file() {
     size_t expected = 0;
-    object({"format", "degree", "attributes", "vertices", "tetrahedra", "control"},
-           [&](size_t key) {
-             expect(key == expected++, "the keys of the file are in another order");
-             if (key == 0) expect(next() == '"' && string() == "veritope-dms-1", "unknown format");
-             if (key == 1) out.n = int(natural(kMostDmsDegree));
-             if (key == 1) expect(out.n >= 1, "the degree is 0");
-             if (key == 2) names();
-             if (key == 3) items(kMostDmsItems, "too many vertices", [&](size_t) { cloud(); });
-             if (key == 3) expect(out.clouds.size() >= 4, "fewer than four vertices");
-             if (key == 4)
-               items(kMostDmsItems, "too many tetrahedra", [&](size_t) { tetrahedron(); });
-             if (key == 4) expect(!out.tetrahedra.empty(), "no tetrahedra");
-             if (key == 5) control();
-           });
+    object(
+        {"format", "degree", "attributes", "vertices", "tetrahedra", "control", "attribute_domain"},
+        [&](size_t key) {
+          expect(key == expected++, "the keys of the file are in another order");
+          if (key == 0) expect(next() == '"' && string() == "veritope-dms-1", "unknown format");
+          if (key > 0 && key < 6) member(key - 1);
+          if (key == 6) attribute_domain();
+        },
+        1);
     expect(next() == '\0' && at == text.size(), "something follows the file's object");
   }
 };

@@ -10,7 +10,7 @@ from .dms_domain import (boundary_of, numbers_of_surface, test_clouds, test_cont
                          triangle_entity)
 from .dms_map import Map
 from .dms_near import derivatives, first_cut, leaf_region, unexcluded
-from .dms_read import Spline
+from .dms_read import read_spline
 from .dms_surface import Surface
 
 EDGES = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))
@@ -25,7 +25,7 @@ class Checker:
     """The conditions in the order of the page."""
 
     def __init__(self, statement, body, model, skip):
-        self.statement, self.skip, self.model = statement, skip, Spline(model)
+        self.statement, self.skip, self.model = statement, skip, read_spline(model)
         self.cert = Certificate(body, self.model)
         self.left = (1 << 24) + (len(model) + len(body) << 8)
 

@@ -9,7 +9,7 @@ from .dms_invalid_domain import TESTS
 from .dms_invalid_map import MapFindings
 from .dms_invalid_read import KINDS, Finding
 from .dms_map import Map
-from .dms_read import Spline
+from .dms_read import read_spline
 
 def check(claim, statement, body, model, skip):
     """skip: conditions that are not tested, for tests only."""
@@ -19,7 +19,7 @@ class Checker:
     """The conditions in the order of the page."""
 
     def __init__(self, statement, body, model, skip):
-        self.statement, self.skip, self.model = statement, skip, Spline(model)
+        self.statement, self.skip, self.model = statement, skip, read_spline(model)
         self.finding = Finding(body, self.model)
         self.condition = "W%d" % KINDS.index(self.finding.kind)
         self.left = (1 << 24) + (len(model) + len(body) << 8)

@@ -6,25 +6,40 @@ from ..common.errors import Refused
 from ..patches.star_box_read import members, number, read_json, texts, typed, whole
 
 KEYS = ("format", "degree", "attributes", "vertices", "tetrahedra", "control")
+OWN = ("attribute_domain",)
 MAX_DEGREE, MAX_ATTRIBUTES, MAX_COUNT, MAX_BITS = 9, 256, 1 << 24, 2048
+
+def read_spline(data):
+    """The geometry of a file. Its attribute domain is read, too, but nothing depends on it."""
+    top = typed(read_json(data, integer), dict)
+    has_own = "attribute_domain" in top
+    form, *rest = members(top, *KEYS, *OWN[:has_own])
+    if form != "veritope-dms-1" or tuple(top) != KEYS + OWN[:has_own]:
+        raise Refused("not veritope-dms-1, or its keys are in another order")
+    spline = Spline(rest[:5], 3, [])
+    if has_own:
+        own = members(typed(rest[5], dict), *KEYS[1:])
+        if tuple(rest[5]) != KEYS[1:]:
+            raise Refused("the keys of the attribute domain are in another order")
+        Spline(own, 0, spline.names)
+    return spline
 
 class Spline:
     """degree: n; clouds: of each vertex the knots 0 to n; tetrahedra: four vertices each; shared: whether control
-    points are; control: (x, y, z) by the sorted vertices, or by the tetrahedron and beta; num_control."""
+    points are; control: (x, y, z), or () in an attribute domain, by the sorted vertices, or by the tetrahedron and
+    beta; num_control; names: the attributes, after those that are taken."""
 
-    def __init__(self, data):
-        top = typed(read_json(data, integer), dict)
-        form, degree, attributes, clouds, tetrahedra, control = members(top, *KEYS)
-        if form != "veritope-dms-1" or tuple(top) != KEYS:
-            raise Refused("not veritope-dms-1, or its keys are in another order")
-        self.degree = whole(degree, 1, MAX_DEGREE)
-        texts(a_list(attributes, 0, MAX_ATTRIBUTES))
-        if len(set(attributes)) != len(attributes) or "" in attributes:
-            raise Refused("two attributes are equal, or one has no name")
+    def __init__(self, values, coordinates, taken):
+        degree, attributes, clouds, tetrahedra, control = values
+        self.degree, self.coordinates = whole(degree, 1, MAX_DEGREE), coordinates
+        texts(a_list(attributes, 0 if coordinates else 1, MAX_ATTRIBUTES))
+        self.names = taken + attributes
+        if len(set(self.names)) != len(self.names) or "" in attributes or len(self.names) > MAX_ATTRIBUTES:
+            raise Refused("two attributes are equal, one has no name, or there are too many")
         self.given = [self.read_cloud(cloud) for cloud in a_list(clouds, 4, MAX_COUNT)]
         self.clouds = [self.fill(cloud) for cloud in self.given]
         self.tetrahedra = [self.read_tetrahedron(t) for t in a_list(tetrahedra, 1, MAX_COUNT)]
-        self.read_control(a_list(control, 1, None), 3 + len(attributes))
+        self.read_control(a_list(control, 1, None), coordinates + len(attributes))
 
     def read_cloud(self, cloud):
         if len(typed(cloud, list)) not in (1, self.degree, self.degree + 1):
@@ -59,7 +74,7 @@ class Spline:
                     raise Refused("the numbers of a beta do not add up to the degree")
             if key in self.control:
                 raise Refused("a control point twice")
-            self.control[key] = vector(value, size)[:3]
+            self.control[key] = vector(value, size)[:self.coordinates]
         self.check_complete()
 
     def check_complete(self):

@@ -21,18 +21,32 @@ Result<DmsFile> read(std::span<const std::uint8_t> bytes) {
   return read_dms(DmsFormat::kDms, source_of(buffer, name), {});
 }
 
-// At the barycentre of each tetrahedron exactly the tetrahedra that rule H knows contain the point.
-void check_values(const DmsModel& model) {
-  if (model.degree > 3 || model.tetrahedra.size() > 4 || find_dms_defects(model).count > 0) return;
+bool is_small(const DmsModel& model) { return model.degree <= 3 && model.tetrahedra.size() <= 4; }
+
+// At the barycentre of each tetrahedron of `places`, whose domain is the same set, the model has a value.
+void check_values_at(const DmsModel& places, const DmsModel& model) {
   DmsEvaluator evaluator(model);
-  for (const TetrahedronCorners& t : model.tetrahedra) {
+  for (const TetrahedronCorners& t : places.tetrahedra) {
     DmsPoint middle;
     for (const std::uint32_t v : t)
-      for (std::size_t c = 0; c < 3; ++c) middle[c] += model.clouds[v][0][c] / Rational(4);
+      for (std::size_t c = 0; c < 3; ++c) middle[c] += places.clouds[v][0][c] / Rational(4);
     const auto place = evaluator.locate(middle);
     VT_CHECK(place.has_value(), "a barycentre lies in the domain");
     VT_CHECK(evaluator.evaluate(*place).value.size() == model.num_components(),
              "a value has a number for each component");
+  }
+}
+
+void check_values(const DmsModel& model) {
+  if (!is_small(model)) return;
+  for (const DmsModel& own : model.attribute_domain)
+    if (!is_small(own)) return;
+  if (find_dms_defects(model).count > 0) return;
+  check_values_at(model, model);
+  for (const DmsModel& own : model.attribute_domain) {
+    check_values_at(own, own);
+    check_values_at(own, model);
+    check_values_at(model, own);
   }
 }
 

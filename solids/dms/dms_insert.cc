@@ -83,7 +83,9 @@ class DmsInserter {
     if (const Status status = set_dms_control(out_.model, std::move(entries_)); !status)
       return status.error();
     out_.defects = find_dms_defects(out_.model);
-    if (out_.defects.count == 0) out_.change = bound_dms_change(model_, out_.model, out_.cut);
+    if (out_.defects.count > 0) return std::move(out_);
+    out_.change.resize(model_.num_components());  // inside of a tetrahedron all is 0 by DMS-3.S1
+    if (out_.cut.simplex.size() < 4) out_.change = bound_dms_change(model_, out_.model, out_.cut);
     return std::move(out_);
   }
 

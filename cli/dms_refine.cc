@@ -137,11 +137,8 @@ RunCommand declare_dms_refine(OptionSet& set) {
       "its further knots, x,y,z;x,y,z;...: one less than the\ndegree, or as many; without, it is "
       "collapsed");
   set.option(
-      "--max-change", "E",
-      [o](const std::string& t) {
-    return take_max_change(t, o->max_change); },
-      "write only if each number is proved to change by at most
-E; status 3 if not");
+      "--max-change", "E", [o](const std::string& t) { return take_max_change(t, o->max_change); },
+      "write only if each number is proved to change by at most\nE; status 3 if not");
   declare_json(set, o->json, "write what was cut, and the bounds of the change");
   declare_reading(set, o->reading);
   set.hide("--as-indexed");
@@ -149,8 +146,7 @@ E; status 3 if not");
     if (!o->output) return "-o OUT.vdms is required, the file of the model";
     return o->at ? "" : "--at x,y,z is required, the new vertex";
   });
-  return [o](StandardOutput& out) {
-    return DmsRefineRun(*o, out).run(); };
+  return [o](StandardOutput& out) { return DmsRefineRun(*o, out).run(); };
 }
 
 }  // namespace veritope::cli

@@ -16,9 +16,9 @@ struct DmsBoundaryPoint {
   DmsPoint point;
 };
 
-/// Nothing if the boundaries are equal as sets. Each face is compared with the faces of the other boundary in its plane:
-/// what they leave of it is cut out as convex polygons. The boundary of a domain bounds nothing else, so domains with
-/// equal boundaries are equal sets, too.
+/// Nothing if the boundaries are equal as sets. Each face is compared with the faces of the other boundary in its
+/// plane: what they leave of it is cut out as convex polygons. The boundary of a domain bounds nothing else, so domains
+/// with equal boundaries are equal sets, too.
 /// REQUIRES two models whose tetrahedra form domains (find_geometry_defects).
 /// @cost near-linear, and for each face a few products for each face of the other boundary that overlaps it
 std::optional<DmsBoundaryPoint> find_boundary_difference(const DmsModel& first,

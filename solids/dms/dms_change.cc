@@ -191,7 +191,7 @@ class ChangeBound {
     }
     return out;
   }
-  // The term of a face less those of its parts that have the new vertex in the place of a corner with the last knot 0.
+  // The term of a face minus those of its parts that have the new vertex in the place of a corner with the last knot 0.
   // As the new vertex is a mean of corners, what is left is a sum over the corners b with later knots.
   template <typename Add>
   void add_difference(const Face& face, const Last& last, Add add) const {
@@ -258,9 +258,9 @@ class ChangeBound {
     for (Rational& x : most) x /= Rational(static_cast<std::int64_t>(count + 1));
     return most;
   }
-  // Bounds M(u|V). Of four knots it is 1/|d|. Of five it is the length of a line's part in the simplex of shares, in
-  // units of the knots' dependency, whose numbers are the d of four of them: at most 2 / (the sum of all |d|). Of more it
-  // is a mean of those without one of four knots that contain u, so at most the greatest of five.
+  // Bounds M(u|V). For four knots M is 1/|d| or 0. For five it is the length of a line's part in the simplex of shares,
+  // in units of the knots' dependency, whose numbers are the d of four of them: at most 2 / (the sum of all |d|). For
+  // more, some four knots contain u, and M is a mean of those without one of them: at most the greatest for five.
   static Rational height_bound(const std::vector<DmsPoint>& v) {
     if (v.size() == 4) {
       const Rational d = abs(volume6(v[0], v[1], v[2], v[3]));

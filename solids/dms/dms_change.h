@@ -29,8 +29,8 @@ struct DmsChange {
   Rational lo, hi;
 };
 
-/// For each component. hi is 0 if the component is proved to stay equal: where the polynomials of the tetrahedra are one,
-/// or where all knots of each face that is cut lie in its plane. lo is the greatest change at a few points.
+/// One for each component. hi is 0 if the component is proved to stay equal: where the polynomials of the tetrahedra
+/// are one, or where all knots of each face that is cut lie in its plane. lo is the greatest change at a few points.
 /// @param after  `before` with the vertex inserted as insert_dms_vertex does, with any control points at it
 /// REQUIRES shared control points, two models without defects.
 /// @cost for each face that is cut as many differences of blossoms as there are multisets of its knots; a few exact

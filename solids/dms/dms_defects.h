@@ -26,7 +26,8 @@ enum class DmsFault {
   kInside,         ///< condition (c)
   kDomainsDiffer,  ///< the boundaries of the domain and of the attribute domain are two sets
 };
-/// "tet-reversed", "tet-face-overused", "M4", ..., "cloud-degenerate", "cloud-no-core", "cloud-inside", "domains-differ"
+/// "tet-reversed", "tet-face-overused", "M4", ..., "cloud-degenerate", "cloud-no-core", "cloud-inside",
+/// "domains-differ"
 const char* fault_name(DmsFault fault);
 
 /// Only what the fault has is set.
@@ -47,7 +48,7 @@ struct DmsDefect {
   std::vector<DmsCoreWeight> weights;  ///< of kNoCore
   /// kInside: of the knots of the hull; kImproper: of the vertices of the first face, then of the second.
   std::vector<Rational> shares;
-  /// Of kImproper, kOverlap, kInside: the common point; of kDomainsDiffer: of the one boundary, not of the other.
+  /// The common point of kImproper, kOverlap and kInside; for kDomainsDiffer a point of one boundary alone.
   std::optional<DmsPoint> point;
 
   bool has_beta() const { return fault >= DmsFault::kDegenerate && fault <= DmsFault::kInside; }
@@ -67,7 +68,7 @@ struct DmsDefects {
 /// REQUIRES a model that validate() accepts.
 /// @cost near-linear: a few signs for each tetrahedron and γ, and for each two that are near each other
 DmsDefects find_dms_defects(const DmsModel& model, std::size_t max_listed = 100);
-/// The same without what concerns an attribute domain.
+/// As find_dms_defects, for the geometry alone: an attribute domain is not looked at.
 DmsDefects find_geometry_defects(const DmsModel& model, std::size_t max_listed = 100);
 
 }  // namespace veritope

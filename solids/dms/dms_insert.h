@@ -14,8 +14,8 @@
 namespace veritope {
 
 struct DmsInsertion {
-  /// The new vertex T is the last one. Of each tetrahedron that was cut, the part with T in the place of the first corner
-  /// that T's simplex has keeps the number; the others come after all others, by tetrahedra and then by corners.
+  /// The new vertex T is the last one. Each tetrahedron that was cut leaves its number to the part with T in the place
+  /// of the first corner that T's simplex has; the others come after all others, by tetrahedra and then by corners.
   DmsModel model;
   DmsCut cut;
   std::uint32_t tetrahedron = 0;  ///< the first one that was cut

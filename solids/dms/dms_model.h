@@ -80,7 +80,8 @@ struct DmsComponent {
   const DmsModel* spline = nullptr;
   std::size_t component = 0;
 };
-/// Where the attribute of this name is; nothing if there is none. The model must outlive the answer.
+/// The spline that has the attribute of this name, and its component; nothing if neither has it. The model must outlive
+/// the answer.
 std::optional<DmsComponent> find_attribute(const DmsModel& model, std::string_view name);
 
 /// The control point of a multiset of vertices, which are ascending; nothing if it does not exist.
@@ -95,7 +96,7 @@ std::size_t control_of(const DmsModel& model, std::uint32_t tetrahedron,
                        const TetrahedralIndex& beta);
 
 /// Whether all that "The file" of docs/formats/dms-files.md demands holds; the places name vertices, tetrahedra and
-/// control points as entities, of the attribute domain if the message says so. An attribute domain by itself is accepted.
+/// control points as entities, of the attribute domain if the message says so. An attribute domain alone is accepted.
 Status validate(const DmsModel& model);
 
 /// The text of an index: "(1,0,2,0)".

@@ -26,7 +26,7 @@ def drawn(rng, degree, corners, tetrahedra, attributes, move=F(1, 30), separate=
         knots = [p]
         if rng.random() < 0.6 and degree > 1 and p.count(0) >= 2:  # a corner of the unit tetrahedron
             out = [c - F(1, 4) for c in p]
-            knots += [[c + rng.randint(0, 3) * move * o for c, o in zip(p, out)] for _ in range(degree)]
+            knots += [[c + step * move * o for c, o in zip(p, out)] for step in (rng.randint(0, 3) for _ in range(degree))]
         clouds.append([[str(c) for c in k] for k in knots])
     value = lambda: [str(F(rng.randint(-20, 20), rng.randint(1, 6))) for _ in attributes]     # noqa: E731
     if separate:
@@ -72,7 +72,7 @@ class AttributeDomain(Folder):
         return model
 
     def test_values_and_derivatives_are_those_of_both_splines(self):
-        for seed in range(12):
+        for seed in range(8):
             model = self.drawn(seed)
             rng = random.Random(seed + 100)
             points = [*POINTS]
@@ -128,10 +128,7 @@ class AttributeDomain(Folder):
 
     def test_defects_of_the_attribute_domain_name_it(self):
         model = json.loads(MODEL.read_text())
-        model["attribute_domain"]["tetrahedra"][1].reverse()
-        model["attribute_domain"]["tetrahedra"][1][:2] = reversed(model["attribute_domain"]["tetrahedra"][1][:2])
-        t = model["attribute_domain"]["tetrahedra"][1]
-        t[0], t[1] = t[1], t[0]
+        model["attribute_domain"]["tetrahedra"][1][:2] = [1, 4]
         document = self.evaluate(self.write(model), ["0 0 0"], status=1)
         self.assertEqual({d["domain"] for d in document["defects"]}, {"attributes"})
         self.assertEqual(document["defects"][0]["message"], "attribute domain: tetrahedron 1: d < 0")
@@ -140,7 +137,7 @@ class AttributeDomain(Folder):
         for seed in range(6):
             name = self.write(self.drawn(seed))
             for source, target in ((name, "a.vdms"), ("a.vdms", "b.vdms")):
-                done = run("convert", source, "-o", target, cwd=self.folder)
+                done = run("convert", source, target, cwd=self.folder)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
             text = (self.folder / "a.vdms").read_text()
             self.assertEqual(text, (self.folder / "b.vdms").read_text())
@@ -159,7 +156,7 @@ class AttributeDomain(Folder):
         done = run("dms", "iso", MODEL, "--attribute", "heat", "--level", "1/2", "--within", "1", "-o", "f.off", "--json", "-", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done)
         document = json.loads(done.stdout)
-        self.assertEqual((document["certified"], document["components"], document["euler"]), (True, 2, 2))
+        self.assertEqual((document["certified"], document["components"], document["euler"]), (True, 1, 1))
         done = run("dms", "iso", MODEL, "--attribute", "heat", "--level", "1/2", "--within", "1", "-o", "g.off", "--space", "solid", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done)
         lines = [(self.folder / f).read_text().splitlines() for f in ("f.off", "g.off")]

@@ -57,17 +57,17 @@ class Splits(Folder):
                 refined = json.loads((self.folder / "r.vdms").read_text())
                 self.assertEqual(len(document["cut"]), cut)
                 self.assertEqual(len(refined["tetrahedra"]), 4 + len(document["cut"]) * (len(document["simplex"]) - 1))
-                for u in self.points(at, degree):
+                for u in self.points(at, degree)[:10 if degree < 3 else 2]:
                     self.assertEqual(dms_oracle.values(refined, u)[0], dms_oracle.values(model, u)[0], (degree, at, u))
 
     def test_other_clouds_change_by_no_more_than_the_bounds(self):
         changed = 0
-        for degree, seed in ((2, 7), (2, 8), (3, 9)):
+        for degree, seed, places in ((2, 7, PLACES), (2, 8, PLACES), (3, 9, PLACES[1:4:2])):
             model = self.model("1/10:%d" % seed, degree, seed)
-            for at, on, _ in PLACES:
+            for at, _, _ in places:
                 document = self.refine(at)
                 refined = json.loads((self.folder / "r.vdms").read_text())
-                for u in self.points(at, seed):
+                for u in self.points(at, seed)[:5 if degree < 3 else 2]:
                     old, new = dms_oracle.values(model, u)[0], dms_oracle.values(refined, u)[0]
                     for change, x, y in zip(document["change"], old, new):
                         self.assertLessEqual(abs(x - y), F(change["hi"]), (degree, seed, at, u))
@@ -93,7 +93,7 @@ class Splits(Folder):
         self.assertFalse((self.folder / "r.vdms").exists())
         self.refine(at, "--max-change", str(F(most)))
         done = run("dms", "refine", "m.vdms", "--at", at, "--max-change", "1/1000000", "-o", "x.vdms", cwd=self.folder)
-        self.assertEqual((done.returncode, done.stderr), (3, "the map may change by more than --max-change\n"))
+        self.assertEqual((done.returncode, done.stderr), (3, "veritope: the map may change by more than --max-change\n"))
         self.assertTrue(done.stdout.startswith("not written  x.vdms  vertex 5 on the face of the vertices 1, 2, 4 of 2 tetrahedra, 8 tetrahedra, "), done)
         self.assertRegex(done.stdout, r"\n  x changes by at most 0\.\d+, at some point by 0\.\d+\n")
         for wrong in "-1", "x", "nan":

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
 """Values of simplex-spline solids by the definitions of docs/formats/dms-files.md, in fractions: for tests. It shares no code with the
 program or the checkers, and has no caches beside the recurrence's."""
+import functools
 import itertools
 import json
 from fractions import Fraction as F
@@ -18,16 +19,26 @@ def d(w):
     return det(*(minus(p, w[0]) for p in w[1:]))
 
 
+@functools.lru_cache(maxsize=None)
+def frame(w):
+    """For each corner its barycentric coordinate at the origin and the derivatives along the axes; nothing for a flat w."""
+    whole = d(w)
+    if not whole:
+        return None
+    at = lambda u: [d([*w[:m], u, *w[m + 1:]]) / whole for m in range(4)]     # noqa: E731
+    zero, *ends = (at([F(int(i == a)) for i in range(3)]) for a in (-1, 0, 1, 2))
+    return [(zero[m], [end[m] - zero[m] for end in ends]) for m in range(4)]
+
+
 def shares(w, u):
     """The barycentric coordinates of u, or nothing for a flat w."""
-    whole = d(w)
-    return [d([*w[:m], u, *w[m + 1:]]) / whole for m in range(4)] if whole else None
+    known = frame(tuple(map(tuple, w)))
+    return known and [base + sum(s * x for s, x in zip(slope, u)) for base, slope in known]
 
 
 def slopes(w):
     """For each corner the derivatives of its barycentric coordinate along the axes."""
-    zero, units = shares(w, [F(0)] * 3), [[F(int(i == a)) for i in range(3)] for a in range(3)]
-    return [[shares(w, e)[m] - zero[m] for e in units] for m in range(4)]
+    return [slope for _, slope in frame(tuple(map(tuple, w)))]
 
 
 class Spline:
@@ -91,8 +102,10 @@ class Spline:
 
 def enters(w, u, path):
     base = shares(w, u)
-    if base is None:
+    if base is None or min(base) < 0:
         return False
+    if min(base) > 0:
+        return True
     slope = slopes(w)
     for m in range(4):
         along = [base[m], *(sum(s * x for s, x in zip(slope[m], way)) for way in path)]
@@ -101,8 +114,9 @@ def enters(w, u, path):
     return True
 
 
+@functools.lru_cache(maxsize=None)
 def independent(knots):
-    return next((w for w in itertools.combinations(range(len(knots)), 4) if d([knots[i] for i in w])), None)
+    return next((w for w in itertools.combinations(range(len(knots)), 4) if frame(tuple(knots[i] for i in w))), None)
 
 
 def simplex_spline(knots, u, path, known):

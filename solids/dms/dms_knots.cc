@@ -2,6 +2,7 @@
 #include "solids/dms/dms_knots.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace veritope {
@@ -26,6 +27,14 @@ DmsPoint cross_product(const DmsPoint& a, const DmsPoint& b) {
 }
 Rational dot_product(const DmsPoint& a, const DmsPoint& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double bounded_double(const Rational& x) {
+  const double d = nearest_double(x);
+  return std::abs(d) <= 0x1p100 ? d : std::numeric_limits<double>::quiet_NaN();
+}
+std::array<double, 3> bounded_doubles(const DmsPoint& p) {
+  return {bounded_double(p[0]), bounded_double(p[1]), bounded_double(p[2])};
 }
 
 Box3d box_around(std::span<const DmsPoint> points) {
@@ -62,6 +71,7 @@ DmsKnotTable::DmsKnotTable(const DmsModel& model)
       } else {
         numbers_.push_back(static_cast<std::uint32_t>(points_.size()));
         points_.push_back(&p);
+        rounded_.push_back(bounded_doubles(p));
       }
     }
   for_each_tetrahedral_index(model.degree - 1,

@@ -34,6 +34,8 @@ class DmsKnotTable {
     return numbers_[vertex * stride_ + static_cast<std::size_t>(i)];
   }
   const DmsPoint& point(std::uint32_t number) const { return *points_[number]; }
+  /// Its bounded_doubles.
+  const std::array<double, 3>& rounded(std::uint32_t number) const { return rounded_[number]; }
   /// The numbers of the knots of V_γ, each once.
   std::vector<std::uint32_t> knots(const DmsSupport& support) const;
   /// The four corners t_0 of a tetrahedron.
@@ -58,9 +60,14 @@ class DmsKnotTable {
   std::size_t stride_;
   std::vector<std::uint32_t> numbers_;
   std::vector<const DmsPoint*> points_;
+  std::vector<std::array<double, 3>> rounded_;
   std::vector<TetrahedralIndex> gammas_;
   BoxHierarchy by_knots_, by_corners_;
 };
+
+/// The nearest double; NaN for numbers above 2^100 in absolute value, for filters.
+double bounded_double(const Rational& x);
+std::array<double, 3> bounded_doubles(const DmsPoint& p);
 
 /// The least box of doubles around points.
 Box3d box_around(std::span<const DmsPoint> points);

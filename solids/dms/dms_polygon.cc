@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <tuple>
 
 #include "solids/dms/dms_polygon_internal.h"
 
@@ -9,111 +12,196 @@ namespace {
 using internal::DmsPolygon;
 using internal::DmsSegment;
 
-DmsPoint between(const DmsPoint& a, const DmsPoint& b, const Rational& t) {
-  DmsPoint out;
-  for (std::size_t c = 0; c < 3; ++c) out[c] = a[c] + t * (b[c] - a[c]);
-  return out;
+std::array<double, 3> rounded(const ExactPoint3& p) {
+  return {p.rounded().x, p.rounded().y, p.rounded().z};
 }
-DmsPoint mean_of(const std::vector<DmsPoint>& points) {
-  DmsPoint out;
-  for (const DmsPoint& p : points)
-    for (std::size_t c = 0; c < 3; ++c) out[c] += p[c];
-  for (Rational& x : out) x /= Rational(static_cast<std::int64_t>(points.size()));
-  return out;
+std::size_t hash_of(const ExactPoint3& p) {
+  std::uint64_t out = 0;
+  for (const double x : rounded(p))
+    out = (out ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15u;  // -0 is 0
+  return static_cast<std::size_t>(out ^ (out >> 29));
 }
 
-// Heights of points over the line through a in this direction, in the polygon's plane.
-class CutLine {
- public:
-  CutLine(const DmsPoint& a, const DmsPoint& direction, const DmsPoint& normal)
-      : across_(cross_product(normal, direction)), level_(dot_product(across_, a)) {}
-  Rational height(const DmsPoint& p) const { return dot_product(across_, p) - level_; }
-
- private:
-  DmsPoint across_;
-  Rational level_;
-};
-
-// The part of the segment in the closed polygon; nothing if it misses it.
-std::optional<DmsSegment> clipped(const DmsPolygon& polygon, DmsSegment segment,
-                                  const DmsPoint& normal) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const DmsPoint& a = polygon[i];
-    const CutLine side(a, difference(polygon[(i + 1) % polygon.size()], a), normal);
-    const Rational first = side.height(segment[0]), second = side.height(segment[1]);
-    const bool is_first_out = first.sign() == Sign::kNegative,
-               is_second_out = second.sign() == Sign::kNegative;
-    if (is_first_out && is_second_out) return std::nullopt;
-    if (is_first_out != is_second_out)
-      segment[is_first_out ? 0 : 1] = between(segment[0], segment[1], first / (first - second));
-  }
-  return segment;
+// Nearest doubles never are in the wrong order.
+std::strong_ordering compare(const ExactPoint3& a, const ExactPoint3& b, std::size_t c) {
+  const double x = rounded(a)[c], y = rounded(b)[c];
+  if (x < y) return std::strong_ordering::less;
+  if (x > y) return std::strong_ordering::greater;
+  return a.at()[c] <=> b.at()[c];
 }
-bool is_inside(const DmsPolygon& polygon, const DmsPoint& p, const DmsPoint& normal) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const DmsPoint& a = polygon[i];
-    const CutLine side(a, difference(polygon[(i + 1) % polygon.size()], a), normal);
-    if (side.height(p).sign() != Sign::kPositive) return false;
-  }
+// Whether p is surely off the box around a and b.
+bool is_far(const std::array<double, 3>& a, const std::array<double, 3>& b,
+            const std::array<double, 3>& p) {
+  for (std::size_t c = 0; c < 3; ++c)
+    if (p[c] < std::min(a[c], b[c]) || p[c] > std::max(a[c], b[c])) return true;
+  return false;
+}
+bool are_collinear(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (orient2d_projected(a, b, c, axis) != Sign::kZero) return false;
   return true;
+}
+
+// How good a triangle is, approximately: its doubled area over the square of its longest side.
+double shape_of(const std::array<std::array<double, 3>, 3>& p) {
+  std::array<std::array<double, 3>, 3> side{};
+  double longest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double square = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      side[i][c] = p[(i + 1) % 3][c] - p[i][c];
+      square += side[i][c] * side[i][c];
+    }
+    longest = std::max(longest, square);
+  }
+  double area = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t d = (c + 1) % 3, e = (c + 2) % 3;
+    const double x = side[0][d] * side[1][e] - side[0][e] * side[1][d];
+    area += x * x;
+  }
+  return longest > 0 ? std::sqrt(area) / longest : 0;
 }
 
 }  // namespace
 
-std::optional<std::pair<DmsPolygon, DmsPolygon>> internal::cut_polygon(const DmsPolygon& polygon,
-                                                                       const DmsSegment& segment,
-                                                                       const DmsPoint& normal) {
-  const auto part = clipped(polygon, segment, normal);
-  if (!part || !is_inside(polygon, mean_of({(*part)[0], (*part)[1]}), normal)) return std::nullopt;
-  DmsPoint direction = difference(segment[1], segment[0]);
-  if (direction == DmsPoint{}) direction = difference(polygon[0], segment[0]);
-  const CutLine line(segment[0], direction, normal);
+std::uint32_t internal::DmsPoints::add(DmsPoint p) {
+  ExactPoint3 exact(std::move(p));
+  const std::size_t hash = hash_of(exact);
+  const auto [first, last] = by_hash_.equal_range(hash);
+  for (auto it = first; it != last; ++it)
+    if (points_[it->second].at() == exact.at()) return it->second;
+  const auto number = static_cast<std::uint32_t>(points_.size());
+  by_hash_.emplace(hash, number);
+  points_.push_back(std::move(exact));
+  return number;
+}
+
+internal::DmsDrawingPlane::DmsDrawingPlane(DmsPoints& points, const DmsPoint& normal)
+    : points_(points), axis_(0) {
+  for (int c = 1; c < 3; ++c)
+    if (abs(normal[static_cast<std::size_t>(c)]) > abs(normal[static_cast<std::size_t>(axis_)]))
+      axis_ = c;
+  up_ = normal[static_cast<std::size_t>(axis_)].sign();
+}
+
+Sign internal::DmsDrawingPlane::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  return up_ * orient2d_projected(points_.at(a), points_.at(b), points_.at(c), axis_);
+}
+
+// The determinant of the coordinates across the axis of the line's points and p, times the scales of all three.
+Integer internal::DmsDrawingPlane::height(const DmsSegment& line, std::uint32_t p) const {
+  const auto x = static_cast<std::size_t>((axis_ + 1) % 3),
+             y = static_cast<std::size_t>((axis_ + 2) % 3);
+  const ExactPoint3 &a = points_.at(line[0]), &b = points_.at(line[1]), &c = points_.at(p);
+  const auto minor = [&](const ExactPoint3& r, const ExactPoint3& s) {
+    return r.scaled()[x] * s.scaled()[y] - r.scaled()[y] * s.scaled()[x];
+  };
+  return minor(a, b) * c.scale() + minor(b, c) * a.scale() + minor(c, a) * b.scale();
+}
+
+// Where the side from a to b meets the line; its ends are on different sides of it.
+std::uint32_t internal::DmsDrawingPlane::crossing(const DmsSegment& line, std::uint32_t a,
+                                                  std::uint32_t b) const {
+  const ExactPoint3 &p = points_.at(a), &q = points_.at(b);
+  const Integer here = height(line, a), next = height(line, b);
+  const Integer weight = here * q.scale() - next * p.scale();
+  DmsPoint out;
+  for (std::size_t c = 0; c < 3; ++c)
+    out[c] = Rational(here * q.scaled()[c] - next * p.scaled()[c], weight);
+  return points_.add(std::move(out));
+}
+
+// A segment reaches into a convex polygon unless its own line or that of a side parts them.
+std::optional<std::pair<DmsPolygon, DmsPolygon>> internal::DmsDrawingPlane::cut(
+    const DmsPolygon& polygon, const DmsSegment& segment) const {
+  DmsSegment line = segment;
+  if (line[0] == line[1]) line[1] = polygon[0];
+  if (line[0] == line[1]) return std::nullopt;  // a corner
+  std::vector<Sign> sides;
+  bool has_left = false, has_right = false;
+  for (const std::uint32_t p : polygon) {
+    sides.push_back(turn(line[0], line[1], p));
+    has_left |= sides.back() == Sign::kPositive;
+    has_right |= sides.back() == Sign::kNegative;
+  }
+  if (!has_left || !has_right) return std::nullopt;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::uint32_t a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    if (turn(a, b, segment[0]) != Sign::kPositive && turn(a, b, segment[1]) != Sign::kPositive)
+      return std::nullopt;
+  }
   DmsPolygon left, right;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const DmsPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const Rational here = line.height(a), next = line.height(b);
-    if (here.sign() != Sign::kNegative) left.push_back(a);
-    if (here.sign() != Sign::kPositive) right.push_back(a);
-    const bool is_crossed = (here.sign() == Sign::kNegative && next.sign() == Sign::kPositive) ||
-                            (here.sign() == Sign::kPositive && next.sign() == Sign::kNegative);
-    if (!is_crossed) continue;
-    left.push_back(between(a, b, here / (here - next)));
+    const std::size_t k = (i + 1) % polygon.size();
+    if (sides[i] != Sign::kNegative) left.push_back(polygon[i]);
+    if (sides[i] != Sign::kPositive) right.push_back(polygon[i]);
+    if (sides[i] == Sign::kZero || sides[i] != -sides[k]) continue;
+    left.push_back(crossing(line, polygon[i], polygon[k]));
     right.push_back(left.back());
   }
   return std::pair{std::move(left), std::move(right)};
 }
 
-bool internal::is_between(const DmsPoint& a, const DmsPoint& b, const DmsPoint& p) {
-  const DmsPoint way = difference(b, a), step = difference(p, a);
-  if (cross_product(way, step) != DmsPoint{}) return false;
-  const Rational along = dot_product(way, step);
-  return along.sign() == Sign::kPositive && along < dot_product(way, way);
-}
-
-internal::DmsPolygon internal::with_corners(const DmsPolygon& polygon,
-                                            const std::vector<DmsPoint>& points) {
-  DmsPolygon out;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const DmsPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const DmsPoint way = difference(b, a);
-    std::vector<std::pair<Rational, const DmsPoint*>> inside;
-    for (const DmsPoint& p : points)
-      if (is_between(a, b, p)) inside.emplace_back(dot_product(way, difference(p, a)), &p);
-    std::sort(inside.begin(), inside.end(),
-              [](const auto& x, const auto& y) { return x.first < y.first; });
-    out.push_back(a);
-    for (const auto& [along, p] : inside)
-      if (*p != out.back()) out.push_back(*p);
+// The ear of the best shape comes off first, if what is left is still a polygon.
+std::vector<std::array<std::uint32_t, 3>> internal::DmsDrawingPlane::triangles(
+    DmsPolygon polygon) const {
+  std::vector<std::array<std::uint32_t, 3>> out;
+  while (polygon.size() > 3) {
+    const std::size_t n = polygon.size();
+    std::vector<bool> turns(n);
+    for (std::size_t i = 0; i < n; ++i)
+      turns[i] =
+          turn(polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]) == Sign::kPositive;
+    std::size_t best = n;
+    double most = -1;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!turns[i]) continue;
+      const std::uint32_t before = polygon[(i + n - 1) % n], after = polygon[(i + 1) % n];
+      // Another corner is off the line through the neighbours: else all that is left is on it.
+      bool is_left = false;
+      for (std::size_t k = 2; k + 1 < n && !is_left; ++k)
+        is_left = turn(before, after, polygon[(i + k) % n]) == Sign::kPositive;
+      if (!is_left) continue;
+      const double shape = shape_of({rounded(points_.at(before)), rounded(points_.at(polygon[i])),
+                                     rounded(points_.at(after))});
+      if (shape > most) most = shape, best = i;
+    }
+    out.push_back({polygon[(best + n - 1) % n], polygon[best], polygon[(best + 1) % n]});
+    polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(best));
   }
+  out.push_back({polygon[0], polygon[1], polygon[2]});
   return out;
 }
 
-std::vector<std::array<DmsPoint, 3>> internal::triangles_of(const DmsPolygon& polygon) {
-  if (polygon.size() == 3) return {{polygon[0], polygon[1], polygon[2]}};
-  const DmsPoint middle = mean_of(polygon);
-  std::vector<std::array<DmsPoint, 3>> out;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    out.push_back({polygon[i], polygon[(i + 1) % polygon.size()], middle});
+bool internal::is_between(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& p) {
+  if (is_far(rounded(a), rounded(b), rounded(p)) || !are_collinear(a, b, p)) return false;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto way = compare(a, b, c);
+    if (way != 0) return compare(a, p, c) == way && compare(p, b, c) == way;
+  }
+  return false;
+}
+
+DmsPolygon internal::with_corners(const DmsPoints& points, const DmsPolygon& polygon,
+                                  std::span<const std::uint32_t> candidates) {
+  DmsPolygon out;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const ExactPoint3 &a = points.at(polygon[i]), &b = points.at(polygon[(i + 1) % polygon.size()]);
+    std::vector<std::uint32_t> inside;
+    for (const std::uint32_t p : candidates)
+      if (is_between(a, b, points.at(p))) inside.push_back(p);
+    // Points of a segment are in the order of the first coordinate that differs.
+    std::sort(inside.begin(), inside.end(), [&](std::uint32_t p, std::uint32_t q) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto way = compare(a, b, c);
+        if (way != 0) return compare(points.at(p), points.at(q), c) == way;
+      }
+      return false;
+    });
+    out.push_back(polygon[i]);
+    out.insert(out.end(), inside.begin(), inside.end());
+  }
   return out;
 }
 

@@ -49,6 +49,14 @@ class DmsRegion {
     std::uint64_t sides = 0;  // bit i: on the other closed side of plane i
     int height = 0;           // the sign beside the plane of a triangle
   };
+  // A plane with the nearest doubles of its numbers, NaN for those above 2^100.
+  struct Wall {
+    DmsPlane plane;
+    std::array<double, 4> rounded{};
+    Sign side_of(const DmsPoint& p, const std::array<double, 3>& rounded_p) const;
+  };
+  static Wall wall_of(DmsPlane plane);
+  int side_of(const Wall& wall) const;  // as side_of_plane
   const Place& place(std::uint32_t knot);
   template <typename Visit>
   bool visit_cuts(std::span<const DmsSupport> supports, Visit visit);
@@ -56,8 +64,11 @@ class DmsRegion {
   const DmsKnotTable& knots_;
   std::vector<DmsPoint> corners_;
   bool is_triangle_;
-  DmsPoint normal_, low_, high_;
-  std::vector<DmsPlane> planes_;  // the region is on the side of greater values
+  DmsPoint low_, high_;
+  std::array<double, 3> rounded_low_{}, rounded_high_{};
+  std::vector<std::array<double, 3>> rounded_corners_;
+  Wall base_;                // the plane of a triangle
+  std::vector<Wall> walls_;  // the region is on the side of greater values
   std::unordered_map<std::uint32_t, Place> places_;
 };
 

@@ -6,7 +6,7 @@
 
 #include "robust/base/check.h"
 #include "solids/dms/dms_evaluator.h"
-#include "solids/dms/dms_values.h"
+#include "solids/dms/dms_piece.h"
 
 namespace veritope {
 namespace {
@@ -21,14 +21,15 @@ BezierTriangle<Rational> patch_of(int degree, std::vector<DmsPoint> coefficients
 
 }  // namespace
 
-std::vector<BezierTriangle<Rational>> patches_on(const DmsModel& model, DmsEvaluator& evaluator,
+std::vector<BezierTriangle<Rational>> patches_on(const DmsModel& model,
+                                                 const DmsEvaluator& evaluator,
                                                  const std::vector<DmsTile>& tiles) {
-  const SimplexInterpolation interpolation(model.degree, 3);
+  DmsPieces pieces(model, evaluator);
   std::vector<BezierTriangle<Rational>> out;
   for (const DmsTile& tile : tiles) {
-    const auto values = values_at(evaluator, interpolation.points(tile.corners));
-    VT_CHECK(values.has_value(), "points of the boundary lie in the closed domain");
-    out.push_back(patch_of(model.degree, interpolation.coefficients(*values)));
+    auto coefficients = pieces.coefficients(tile.corners);
+    VT_CHECK(coefficients.has_value(), "points of the boundary lie in the closed domain");
+    out.push_back(patch_of(model.degree, std::move(*coefficients)));
   }
   return out;
 }

@@ -13,8 +13,9 @@
 namespace veritope {
 
 /// x, y, z of the map on each of some tiles of the boundary, exactly. REQUIRES an evaluator of the model.
-/// @cost (n + 1)(n + 2) / 2 exact values on each
-std::vector<BezierTriangle<Rational>> patches_on(const DmsModel& model, DmsEvaluator& evaluator,
+/// @cost that of DmsPieces for each (solids/dms/dms_piece.h)
+std::vector<BezierTriangle<Rational>> patches_on(const DmsModel& model,
+                                                 const DmsEvaluator& evaluator,
                                                  const std::vector<DmsTile>& tiles);
 
 /// x, y, z of the map on the tiles of the boundary's faces (solids/dms/dms_tiles.h), face after face: exactly, with the

@@ -2,6 +2,7 @@
 #include "solids/dms/dms_tiles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -26,7 +27,10 @@ DmsPlane plane_of(const DmsPoint& a, const DmsPoint& b, const DmsPoint& c) {
 class BoundaryTiling {
  public:
   BoundaryTiling(const DmsModel& model, const TetrahedralComplex& complex, std::size_t max_tiles)
-      : model_(model), complex_(complex), max_tiles_(max_tiles), knots_(model) {}
+      : model_(model), complex_(complex), max_tiles_(max_tiles), knots_(model) {
+    for (std::uint32_t v = 0; v < model.clouds.size(); ++v)
+      places_.push_back(points_.add(model.knot(v, 0)));
+  }
 
   std::variant<std::vector<std::vector<DmsTile>>, DmsOpenFace> run() {
     for (const TetrahedronFace f : complex_.boundary()) {
@@ -52,43 +56,55 @@ class BoundaryTiling {
     return cross_product(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
   }
 
-  // Appends the polygons into which triangles of knots cut a face; false if they are too many.
+  // Appends the polygons into which triangles of knots cut a face; false if they are too many. A cut goes on to the
+  // border of the polygon in which its segment ends, so long segments come first: they leave small polygons.
   bool cut_face(TetrahedronFace f) {
     const std::vector<DmsPoint> corners = corners_of(f);
     const DmsPoint normal = normal_of_face(corners);
+    const auto v = complex_.vertices(f);
     std::vector<DmsPolygon>& parts = polygons_.emplace_back();
-    parts.push_back(corners);
+    parts.push_back({places_[v[0]], places_[v[1]], places_[v[2]]});
     DmsRegion region(knots_, corners, upright_planes(corners));
+    std::vector<std::pair<double, DmsSegment>> segments;
     for (const auto& three : region.find_cuts(region.supports()))
       if (const auto segment = trace_of(three, corners[0], normal))
-        if (!cut_parts(parts, *segment, normal)) return false;
+        segments.emplace_back(length_of(*segment), *segment);
+    std::stable_sort(segments.begin(), segments.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    const internal::DmsDrawingPlane plane(points_, normal);
+    for (const auto& [length, segment] : segments)
+      if (!cut_parts(parts, segment, plane)) return false;
     return true;
   }
   bool cut_parts(std::vector<DmsPolygon>& parts, const DmsSegment& segment,
-                 const DmsPoint& normal) const {
+                 const internal::DmsDrawingPlane& plane) const {
     for (std::size_t i = 0, n = parts.size(); i < n; ++i)
-      if (auto halves = internal::cut_polygon(parts[i], segment, normal)) {
+      if (auto halves = plane.cut(parts[i], segment)) {
         parts[i] = std::move(halves->first);
         parts.push_back(std::move(halves->second));
       }
     return parts.size() <= max_tiles_;
   }
+  double length_of(const DmsSegment& segment) const {
+    const Vec3d a = points_.at(segment[0]).rounded(), b = points_.at(segment[1]).rounded();
+    return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+  }
   // Where the triangle of three knots, not all in the plane, meets it: a segment or a point.
   std::optional<DmsSegment> trace_of(const std::array<std::uint32_t, 3>& three,
-                                     const DmsPoint& origin, const DmsPoint& normal) const {
-    std::vector<DmsPoint> found;
+                                     const DmsPoint& origin, const DmsPoint& normal) {
+    std::vector<std::uint32_t> found;
     const auto height = [&](const DmsPoint& p) {
       return dot_product(normal, difference(p, origin));
     };
     for (std::size_t i = 0; i < 3; ++i) {
       const DmsPoint &a = knots_.point(three[i]), &b = knots_.point(three[(i + 1) % 3]);
       const Rational here = height(a), next = height(b);
-      if (here.sign() == Sign::kZero) found.push_back(a);
-      if ((here * next).sign() != Sign::kNegative) continue;
+      if (here.sign() == Sign::kZero) found.push_back(points_.add(a));
+      if (here.sign() * next.sign() != Sign::kNegative) continue;
       DmsPoint p;
       const Rational t = here / (here - next);
       for (std::size_t c = 0; c < 3; ++c) p[c] = a[c] + t * (b[c] - a[c]);
-      found.push_back(std::move(p));
+      found.push_back(points_.add(std::move(p)));
     }
     if (found.empty()) return std::nullopt;
     return DmsSegment{found.front(), found.back()};
@@ -97,30 +113,41 @@ class BoundaryTiling {
   // The corners of the last face's polygons on the edges of the domain.
   void collect_edge_points(TetrahedronFace f) {
     const auto v = complex_.vertices(f);
+    const std::vector<std::uint32_t> all = corners_of_polygons(polygons_.back());
     for (std::size_t i = 0; i < 3; ++i) {
-      const DmsPoint &a = model_.knot(v[i], 0), &b = model_.knot(v[(i + 1) % 3], 0);
-      std::vector<DmsPoint>& on_edge = on_edges_[edge_of(v[i], v[(i + 1) % 3])];
-      for (const DmsPolygon& polygon : polygons_.back())
-        for (const DmsPoint& p : polygon)
-          if (internal::is_between(a, b, p)) on_edge.push_back(p);
+      const ExactPoint3 &a = points_.at(places_[v[i]]), &b = points_.at(places_[v[(i + 1) % 3]]);
+      std::vector<std::uint32_t>& on_edge = on_edges_[edge_of(v[i], v[(i + 1) % 3])];
+      for (const std::uint32_t p : all)
+        if (internal::is_between(a, b, points_.at(p))) on_edge.push_back(p);
     }
+  }
+  static std::vector<std::uint32_t> corners_of_polygons(const std::vector<DmsPolygon>& polygons) {
+    std::vector<std::uint32_t> out;
+    for (const DmsPolygon& polygon : polygons)
+      out.insert(out.end(), polygon.begin(), polygon.end());
+    sort_unique(out);
+    return out;
+  }
+  static void sort_unique(std::vector<std::uint32_t>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   }
 
   std::optional<std::vector<DmsTile>> tiles_of(std::size_t i) {
-    const auto v = complex_.vertices(complex_.boundary()[i]);
-    std::vector<DmsPoint> points;
-    for (const DmsPolygon& polygon : polygons_[i])
-      points.insert(points.end(), polygon.begin(), polygon.end());
+    const TetrahedronFace f = complex_.boundary()[i];
+    const auto v = complex_.vertices(f);
+    std::vector<std::uint32_t> points = corners_of_polygons(polygons_[i]);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& on_edge = on_edges_[edge_of(v[k], v[(k + 1) % 3])];
       points.insert(points.end(), on_edge.begin(), on_edge.end());
     }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    sort_unique(points);
+    const internal::DmsDrawingPlane plane(points_, normal_of_face(corners_of(f)));
     std::vector<DmsTile> out;
     for (const DmsPolygon& polygon : polygons_[i])
-      for (auto& corners : internal::triangles_of(internal::with_corners(polygon, points))) {
-        auto tile = proved(corners);
+      for (const auto& three : plane.triangles(internal::with_corners(points_, polygon, points))) {
+        auto tile = proved(
+            {points_.at(three[0]).at(), points_.at(three[1]).at(), points_.at(three[2]).at()});
         if (!tile || out.size() == max_tiles_) return std::nullopt;
         out.push_back(std::move(*tile));
       }
@@ -167,7 +194,9 @@ class BoundaryTiling {
   const std::size_t max_tiles_;
   DmsKnotTable knots_;
   std::vector<std::vector<DmsPolygon>> polygons_;  // of each face
-  std::map<Edge, std::vector<DmsPoint>> on_edges_;
+  internal::DmsPoints points_;
+  std::vector<std::uint32_t> places_;  // of the vertices
+  std::map<Edge, std::vector<std::uint32_t>> on_edges_;
 };
 
 }  // namespace

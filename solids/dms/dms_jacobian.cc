@@ -9,8 +9,8 @@
 
 #include "solids/dms/dms_determinant.h"
 #include "solids/dms/dms_monotone.h"
+#include "solids/dms/dms_piece.h"
 #include "solids/dms/dms_region.h"
-#include "solids/dms/dms_values.h"
 
 namespace veritope {
 namespace {
@@ -52,7 +52,7 @@ class JacobianProof {
         options_(options),
         knots_(model),
         evaluator_(model),
-        interpolation_(model.degree, 4) {}
+        pieces_(model, evaluator_) {}
 
   std::variant<std::vector<DmsLeafTree>, DmsOpenLeaf> run() {
     std::vector<DmsLeafTree> trees;
@@ -79,7 +79,6 @@ class JacobianProof {
     double least = 0;
     std::uint32_t tetrahedron = 0;
     Node node;
-    bool operator<(const Sampled& other) const { return least > other.least; }
   };
 
   void begin(std::uint32_t t) {
@@ -123,35 +122,45 @@ class JacobianProof {
     return {std::move(first), std::move(second)};
   }
 
-  // A negative determinant in this tetrahedron or a later one.
+  // A negative determinant in this tetrahedron or a later one. Parts take turns: the one with the least sample, then
+  // the one that waits longest. A part never has a greater sample than its halves that keep the corner, so the least
+  // samples alone would lead into one corner for ever.
   void seek_negative(std::uint32_t first) {
-    std::priority_queue<Sampled> todo;
-    std::size_t looked_at = 0;
+    std::vector<std::optional<Sampled>> parts;
+    std::priority_queue<std::pair<double, std::size_t>> by_sample;  // the sample's opposite
+    const auto add = [&](std::uint32_t t, const Node& node) {
+      const double least = sample(t, node);
+      by_sample.emplace(-least, parts.size());
+      parts.push_back(Sampled{least, t, node});
+    };
+    std::size_t looked_at = 0, oldest = 0;
     for (std::uint32_t t = first; t < model_.tetrahedra.size() && !refuted_; ++t) {
       if (looked_at++ >= options_.max_sampled) break;
       begin(t);
       const Node node{knots_.corners(t), 0};
       std::optional<TetrahedralPolynomial> determinant;
-      if (t == first || !find_leaf(node.corners, determinant))
-        todo.push({sample(t, node), t, node});
+      if (t == first || !find_leaf(node.corners, determinant)) add(t, node);
     }
-    for (; !todo.empty() && !refuted_ && looked_at < options_.max_sampled; ++looked_at) {
-      Sampled next = todo.top();
-      todo.pop();
+    for (; !refuted_ && looked_at < options_.max_sampled; ++looked_at) {
+      while (!by_sample.empty() && !parts[by_sample.top().second]) by_sample.pop();
+      if (by_sample.empty()) return;
+      while (!parts[oldest]) ++oldest;
+      const std::size_t at = looked_at % 2 == 0 ? oldest : by_sample.top().second;
+      const Sampled next = std::move(*parts[at]);
+      parts[at].reset();
       if (next.tetrahedron != root_) begin(next.tetrahedron);
-      const auto determinant = polynomial_determinant(next.node.corners);
-      if (determinant) {
-        if (look_at(next.tetrahedron, next.node, determinant) == Next::kRefuted) return;
-        continue;
-      }
-      if (follow_cell(next.tetrahedron, next.node)) return;
+      if (seek_in(next.tetrahedron, next.node)) continue;
       auto [a, b] = halves(next.node, longest_edge(next.node.corners));
-      for (Node* const half : {&a, &b}) {
-        if (half->level > kMostSampledLevels || refuted_) continue;
-        const double least = sample(next.tetrahedron, *half);
-        todo.push({least, next.tetrahedron, std::move(*half)});
-      }
+      for (const Node* const half : {&a, &b})
+        if (half->level <= kMostSampledLevels && !refuted_) add(next.tetrahedron, *half);
     }
+  }
+  // Whether all is known of the part, or a negative determinant is found.
+  bool seek_in(std::uint32_t t, Node node) {
+    const auto determinant = polynomial_determinant(node.corners);
+    if (!determinant) return follow_cell(t, node);
+    look_at(t, node, determinant);
+    return true;
   }
   // The map is one polynomial in the cell of a point inside; where this polynomial has a negative determinant in the
   // part, the map may have one.
@@ -172,7 +181,7 @@ class JacobianProof {
           outer[m][k] = shares[k] + more * (Rational(m == k ? 1 : 0) - shares[k]);
       }
       if (is_cut(cell)) continue;
-      const auto coefficients = polynomial_coefficients(cell);
+      const auto coefficients = pieces_.coefficients(cell);
       if (!coefficients) return false;
       std::vector<DmsPoint> wide(coefficients->size());
       for (std::size_t c = 0; c < 3; ++c) {
@@ -233,13 +242,8 @@ class JacobianProof {
     return std::nullopt;
   }
   // The Bernstein coefficients of the map, and of its derivative. REQUIRES that it is one polynomial there.
-  std::optional<std::vector<DmsPoint>> polynomial_coefficients(const Corners& corners) {
-    const auto values = values_at(evaluator_, interpolation_.points(corners));
-    if (!values) return std::nullopt;
-    return interpolation_.coefficients(*values);
-  }
   std::optional<std::vector<DmsMatrix>> polynomial_derivatives(const Corners& corners) {
-    const auto coefficients = polynomial_coefficients(corners);
+    const auto coefficients = pieces_.coefficients(corners);
     if (!coefficients) return std::nullopt;
     return derivatives_of(corners, *coefficients);
   }
@@ -315,7 +319,7 @@ class JacobianProof {
   const JacobianSearchOptions& options_;
   DmsKnotTable knots_;
   DmsEvaluator evaluator_;
-  SimplexInterpolation interpolation_;
+  DmsPieces pieces_;
   std::vector<DmsPlane> root_planes_;
   std::unordered_map<std::uint64_t, EnclosedMatrix> derivatives_;
   std::uint32_t root_ = 0;             // to which root_planes_ belong

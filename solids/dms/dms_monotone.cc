@@ -50,9 +50,9 @@ int definite_by_intervals(const std::array<Interval, 9>& r, const std::array<Int
   return found;
 }
 
-Plain rounded(const EnclosedMatrix& m) {
+Plain approximate(const EnclosedMatrix& m) {
   Plain out;
-  for (std::size_t i = 0; i < 9; ++i) out[i] = nearest_double(m.exact[i]);
+  for (std::size_t i = 0; i < 9; ++i) out[i] = m.bounds[i].lo() / 2 + m.bounds[i].hi() / 2;
   return out;
 }
 std::optional<Plain> inverse_of(const Plain& m) {
@@ -144,7 +144,7 @@ std::optional<DmsMatrix> find_monotone_matrix(std::span<const EnclosedMatrix* co
   std::vector<Plain> plain;
   Plain mean{};
   for (const EnclosedMatrix* const g : all) {
-    Plain p = rounded(*g);
+    Plain p = approximate(*g);
     const double norm = norm_of(p);
     if (!(norm > 0) || !std::isfinite(norm)) return std::nullopt;
     for (double& x : p) x /= norm;

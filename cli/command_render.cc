@@ -6,6 +6,8 @@
 #include "cli/box_option.h"
 #include "cli/checker_process.h"
 #include "cli/commands.h"
+#include "cli/dms_render.h"
+#include "cli/dms_verbs.h"
 #include "cli/expression_operands.h"
 #include "cli/model_input.h"
 #include "cli/model_view.h"
@@ -23,8 +25,6 @@
 namespace veritope::cli {
 namespace {
 
-constexpr std::array<std::size_t, 2> kDefaultSize = {1200, 900};
-
 struct RenderOptions {
   InputOptions input;
   std::optional<std::string> output, json;
@@ -36,6 +36,7 @@ struct RenderOptions {
   std::uint32_t grid = 0;  // points along each axis; 0: a shaded picture
   std::optional<ExactBox<3>> bounds;
   std::optional<std::string> around;
+  DmsRenderOptions dms;
   bool no_check = false;
   int jobs = default_jobs();
 };
@@ -91,12 +92,13 @@ std::string take_factor(const std::string& text, std::optional<Rational>& factor
 }
 
 void declare(OptionSet& set, RenderOptions& o) {
-  declare_file(set, "MODEL", o.input, "mesh, surfaces, volumes, expression or microstructure");
+  declare_file(set, "MODEL", o.input, "mesh, splines, expression, .vmicro or .vdms");
   set.output("-o,--output", o.output, "write the picture: .png; for viewers .vtu, .gltf, .obj");
   set.option(
       "--explode", "K", [&o](const std::string& t) { return take_factor(t, o.explode); },
       "volumes: move cells apart, by K times their offset (0)");
   set.flag("--nets", o.nets, "draw control nets of volumes, the cage of tiles");
+  declare_dms_render(set, o.dms);
   set.length("--chord", "H", o.chord, "volumes, curves: the distance of chords to aim at");
   set.option(
       "--size", "W,H", [&o](const std::string& t) { return take_size(t, o.size); },
@@ -145,6 +147,7 @@ std::string contradiction_of_kind(const RenderOptions& o) {
 std::string contradiction(const RenderOptions& o) {
   if (!o.output) return "-o F.png is required, the file of the picture";
   if (const std::string wrong = contradiction_of_kind(o); !wrong.empty()) return wrong;
+  if (std::string wrong = dms_render_contradiction(o.dms); !wrong.empty()) return wrong;
   if (o.output == "-" && o.json == "-")
     return "the picture and --json would both write standard output";
   if (needs_copy(o.input.files[0])) return "MODEL is a file, not " + o.input.files[0];
@@ -163,6 +166,10 @@ class RenderRun {
     {
       ModelInput input(path(), how);
       kind = input.kind();
+      if (kind == ModelKind::kDms) return draw_dms_model(input);
+      if (const std::string option = dms_render_option(options_.dms); !option.empty())
+        return fail(bad_argument(option + " is for simplex-spline solids, and " + harmless(path()) +
+                                 " is none"));
       if (kind == ModelKind::kMicro) return draw_micro(input);
     }
     if (options_.around && (kind != ModelKind::kSplines || options_.bounds || options_.grid != 0))
@@ -232,9 +239,13 @@ class RenderRun {
     return try_outputs(*plan, {options_.json, options_.output});
   }
 
+  std::array<std::size_t, 2> picture_size() const {
+    return options_.size.value_or(dms_picture_size(options_.dms));
+  }
+
   PictureOptions picture_options() const {
     PictureOptions look;
-    const auto size = options_.size.value_or(kDefaultSize);
+    const auto size = picture_size();
     look.width = size[0], look.height = size[1];
     if (options_.view) look.view = *options_.view;
     look.jobs = static_cast<unsigned>(options_.jobs);
@@ -309,6 +320,45 @@ class RenderRun {
     set_bounds(*view);
     return write(*view);
   }
+
+  // The first option that is for models of other kinds; empty: none.
+  std::string option_of_others() const {
+    if (options_.grid != 0) return "--grid";
+    if (options_.bounds) return "--bounds";
+    if (options_.around) return "--around";
+    return cell_option(options_);
+  }
+
+  // A domain or clouds with defects are refused as by veritope dms.
+  ExitCode draw_dms_model(ModelInput& input) {
+    if (const std::string option = option_of_others(); !option.empty())
+      return fail(bad_argument(option + " is not for simplex-spline solids"));
+    if (options_.dms.mode && kind_ != ViewKind::kPng)
+      return fail(bad_argument("a picture by --mode " + mode_name(*options_.dms.mode) +
+                               " is a .png, because no surface is made"));
+    progress_.phase(shown_path(path()), "reading");
+    const Result<ModelFile> model = input.take();
+    if (!model) return refuse_as_unreadable(model.error());
+    const DmsFile& file = std::get<DmsFile>(*model);
+    report_.path = path();
+    report_.sha256 = file.sha256;
+    report_.seconds_read = watch_.lap();
+    if (const DmsDefects defects = find_dms_defects(file.model); defects.count != 0) {
+      progress_.clear();
+      complain(harmless(dms_refusal(path(), defects)));
+      return kExitInvalid;
+    }
+    report_.seconds_build = watch_.lap();
+    progress_.phase(shown_path(path()), "drawing");
+    Result<DmsDrawing> drawn = draw_dms(file.model, options_.dms, picture_options());
+    progress_.clear();
+    if (!drawn && drawn.error().code == Code::kBadArgument) return fail(drawn.error());
+    if (!drawn) return refuse(drawn.error());
+    report_.dms = std::move(drawn->facts);
+    set_bounds(drawn->view);
+    return write(drawn->view);
+  }
+
   void set_bounds(const ModelView& view) {
     for (std::size_t k = 0; k < 3; ++k)
       report_.bounds[k] = {Rational::from_double(view.box.lo[k]),
@@ -392,7 +442,7 @@ class RenderRun {
 
   ExitCode write(const ModelView& view) {
     report_.picture = *options_.output;
-    if (kind_ == ViewKind::kPng) report_.size = options_.size.value_or(kDefaultSize);
+    if (kind_ == ViewKind::kPng) report_.size = picture_size();
     if (const Status status = write_output(*options_.output, view.bytes, out_); !status)
       return fail(status.error());
     report_.seconds_draw = watch_.lap();

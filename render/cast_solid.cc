@@ -6,6 +6,7 @@
 #include "render/grid_painter_internal.h"
 #include "render/parallel_view_internal.h"
 #include "render/picture_hull_internal.h"
+#include "render/picture_room_internal.h"
 #include "render/solid_painter_internal.h"
 #include "robust/base/parallel.h"
 
@@ -16,13 +17,6 @@ using namespace internal;
 
 constexpr Colour kWhitePaper{255, 255, 255};
 constexpr std::size_t kBandRows = 16;  // of pixels
-
-PictureBox room_of(const PictureOptions& options) {
-  const auto width = static_cast<double>(options.width),
-             height = static_cast<double>(options.height);
-  const double margin = std::min(width, height) / 32;
-  return {margin, margin, width - margin, height - margin};
-}
 
 Status check_bounds(const Box3d& bounds) {
   if (is_viewable(bounds)) return ok_status();
@@ -66,7 +60,7 @@ Result<Image> cast_solid(const SolidProbe& solid, const Box3d& bounds,
                          const PictureOptions& options, WorkShare* work) {
   if (const Status status = check_picture_options(options); !status) return status.error();
   if (const Status status = check_bounds(bounds); !status) return status.error();
-  const PictureBox room = room_of(options);
+  const PictureBox room = picture_room(options);
   // First where the solid is, roughly, then cells of some pixels each: the picture shows what they contain.
   constexpr double kCoarse = 0x1p-6, kCellPixels = 4;
   const std::vector<Box3d> boxes =
@@ -88,7 +82,7 @@ Result<Image> cast_solid(const SolidProbe& solid, const Box3d& bounds,
 Result<Image> draw_point_grid(const PointGrid& grid, const PictureOptions& options,
                               WorkShare* work) {
   if (const Status status = check_picture_options(options); !status) return status.error();
-  return painted(GridPainter(grid, room_of(options), options), options, work);
+  return painted(GridPainter(grid, picture_room(options), options), options, work);
 }
 
 }  // namespace veritope

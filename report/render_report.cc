@@ -41,6 +41,25 @@ Json micro_json(const MicroPicture& micro) {
           {"around", micro.around ? Json(*micro.around) : Json(nullptr)}};
 }
 
+Json rays_json(const DmsRays& rays) {
+  return {{"origin", point_json(rays.origin)},
+          {"right", point_json(rays.right)},
+          {"down", point_json(rays.down)},
+          {"along", point_json(rays.along)}};
+}
+
+Json dms_json(const DmsPicture& dms) {
+  Json out;
+  out["mode"] = dms.mode;
+  out["attribute"] = text_json(dms.attribute);
+  out["rays"] = dms.rays ? rays_json(*dms.rays) : Json(nullptr);
+  out["range"] = dms.range ? Json::array({(*dms.range)[0], (*dms.range)[1]}) : Json(nullptr);
+  out["absorption"] = optional_json(dms.absorption);
+  out["error"] = optional_json(dms.error);
+  out["step"] = optional_json(dms.step);
+  return out;
+}
+
 }  // namespace
 
 std::string render_json(const RenderReport& report) {
@@ -56,6 +75,7 @@ std::string render_json(const RenderReport& report) {
   out["cells"] = report.cells ? cells_json(*report.cells) : Json(nullptr);
   out["micro"] = report.micro ? micro_json(*report.micro) : Json(nullptr);
   out["curves"] = report.curves ? curves_json(*report.curves) : Json(nullptr);
+  out["dms"] = report.dms ? dms_json(*report.dms) : Json(nullptr);
   out["seconds"] = {{"read", seconds_json(report.seconds_read)},
                     {"build", seconds_json(report.seconds_build)},
                     {"draw", seconds_json(report.seconds_draw)}};

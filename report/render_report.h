@@ -8,6 +8,7 @@
 #include <string>
 
 #include "interval/exact_box.h"
+#include "robust/base/box3d.h"
 
 namespace veritope::report {
 
@@ -37,6 +38,21 @@ struct CurvePicture {
   std::optional<std::string> around;  ///< the path of the solid around them
 };
 
+/// Pixel (i, j) shows the ray origin + i right + j down + t along, 0 <= t <= 1, or the point for t = 0.
+struct DmsRays {
+  Point3d origin{}, right{}, down{}, along{};
+};
+
+/// A simplex-spline solid in a picture.
+struct DmsPicture {
+  std::string mode;
+  std::string attribute;                       ///< empty: none
+  std::optional<DmsRays> rays;                 ///< of X-rays, volumes and slices
+  std::optional<std::array<double, 2>> range;  ///< of the colours
+  std::optional<double> absorption, error;     ///< of X-rays
+  std::optional<double> step;                  ///< of volumes
+};
+
 struct RenderReport {
   std::string path, sha256;  ///< of the model
   std::string picture;       ///< the path of the file
@@ -47,6 +63,7 @@ struct RenderReport {
   std::optional<CellPicture> cells;
   std::optional<MicroPicture> micro;
   std::optional<CurvePicture> curves;
+  std::optional<DmsPicture> dms;
   double seconds_read = 0, seconds_build = 0, seconds_draw = 0;
 };
 

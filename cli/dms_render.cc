@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cli/dms_render.h"
+
+#include <utility>
+
+#include "cli/dms_verbs.h"
+#include "render/dms_slice_picture.h"
+#include "render/dms_volume_picture.h"
+#include "render/dms_xray_picture.h"
+#include "render/png.h"
+#include "report/decimal_text.h"
+
+namespace veritope::cli {
+namespace {
+
+report::DmsRays rays_of(const DmsRayGrid& grid) {
+  return {grid.origin, grid.right, grid.down, grid.along};
+}
+
+Result<DmsDrawing> xray_of(const DmsModel& model, std::size_t component,
+                           const DmsRenderOptions& options, const PictureOptions& look) {
+  const Result<DmsXrayPicture> picture = draw_dms_xray(model, component, look, options.absorption);
+  if (!picture) return picture.error();
+  DmsDrawing out;
+  out.view.bytes = png_bytes(picture->image);
+  out.facts.mode = "xray";
+  out.facts.rays = rays_of(picture->rays);
+  out.facts.absorption = picture->absorption;
+  out.facts.error = picture->error;
+  out.view.content = "integrals up to " + report::short_decimal(picture->greatest);
+  return out;
+}
+
+Result<DmsDrawing> volume_of(const DmsModel& model, std::size_t component,
+                             const DmsRenderOptions& options, const PictureOptions& look) {
+  const TransferFunction transfer =
+      options.transfer ? TransferFunction(*options.transfer) : default_transfer(model, component);
+  const Result<DmsVolumePicture> picture =
+      draw_dms_volume(model, component, transfer, look, options.step);
+  if (!picture) return picture.error();
+  DmsDrawing out;
+  out.view.bytes = png_bytes(picture->image);
+  out.facts.mode = "volume";
+  out.facts.rays = rays_of(picture->rays);
+  out.facts.step = picture->step;
+  out.view.content = "samples at distances of " + report::short_decimal(picture->step);
+  return out;
+}
+
+Result<DmsDrawing> slice_of(const DmsModel& model, std::size_t component,
+                            const DmsRenderOptions& options, const PictureOptions& look) {
+  const DmsCut cut = options.plane ? *options.plane : middle_cut(domain_box(model), look.view);
+  const Result<DmsSlicePicture> picture =
+      draw_dms_slice(model, component, cut, look, {options.range, options.isolines.value_or(0)});
+  if (!picture) return picture.error();
+  DmsDrawing out;
+  out.view.bytes = png_bytes(picture->image);
+  out.facts.mode = "slice";
+  out.facts.rays = rays_of(picture->points);
+  out.facts.range = {picture->low, picture->high};
+  out.view.content = *options.attribute + " from " + report::short_decimal(picture->low) + " to " +
+                     report::short_decimal(picture->high);
+  return out;
+}
+
+}  // namespace
+
+Result<DmsDrawing> draw_dms(const DmsModel& model, const DmsRenderOptions& options,
+                            const PictureOptions& look) {
+  const Result<std::size_t> component = dms_component(model, *options.attribute);
+  if (!component) return component.error();
+  Result<DmsDrawing> out =
+      options.mode == DmsMode::kXray     ? xray_of(model, *component, options, look)
+      : options.mode == DmsMode::kVolume ? volume_of(model, *component, options, look)
+                                         : slice_of(model, *component, options, look);
+  if (!out) return out;
+  out->view.box = domain_box(model);
+  out->facts.attribute = *options.attribute;
+  return out;
+}
+
+}  // namespace veritope::cli

@@ -1,0 +1,218 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""veritope render of simplex-spline solids: pixels beside exact values of dms eval and dms xray, sizes, refusals, bytes."""
+import json
+import math
+import pathlib
+import re
+import unittest
+from fractions import Fraction as F
+
+import schema
+from dms_test import DOMAIN, TETRAHEDRON
+from render_test import WHITE, RenderCase, pixels
+from support import ROOT, run
+
+STOPS = [(68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 201, 98), (253, 231, 37)]
+
+
+def map_colour(share):
+    place = min(max(share, 0), 1) * 4
+    first = min(int(place), 3)
+    return tuple(a + (b - a) * (place - first) for a, b in zip(STOPS[first], STOPS[first + 1]))
+
+
+def exact_ray(rays, i, j):
+    """The two ends of the ray of a pixel, of which the report has the numbers exactly."""
+    row = {key: [F(x) for x in rays[key]] for key in rays}
+    begin = [o + i * r + j * d for o, r, d in zip(row["origin"], row["right"], row["down"])]
+    return begin, [b + a for b, a in zip(begin, row["along"])]
+
+
+class DmsPicture(RenderCase):
+    def setUp(self):
+        super().setUp()
+        domain = json.loads(DOMAIN.read_text())
+        domain["attributes"] = ["density"]
+        for control, value in zip(domain["control"], ["1", "3", "0", "1/2", "2"]):
+            control["value"].append(value)
+        self.write("domain.vdms", domain)
+        self.assertEqual(run("dms", "make", "domain.vdms", "-o", "m.vdms", "--degree", 2, "--clouds", "1/10:3", cwd=self.folder).returncode, 0)
+
+    def write(self, name, model):
+        (self.folder / name).write_text(json.dumps(model))
+
+    def picture(self, *arguments, model="m.vdms"):
+        """(report, width, height, rows of pixels)"""
+        report = json.loads(self.render(model, "-o", "p.png", "--json", "-", *arguments))
+        self.assertEqual(schema.faults(report), [])
+        return report, *pixels(self.folder / "p.png")
+
+
+class Xray(DmsPicture):
+    def means(self, ends, model="m.vdms"):
+        lines = "".join(" ".join(map(str, p + q)) + "\n" for p, q in ends)
+        done = run("dms", "xray", model, "-", "--attribute", "density", "--json", "-", input=lines, cwd=self.folder)
+        return [F(s["mean"]) for s in json.loads(done.stdout)["segments"]]
+
+    def test_pixels_are_exact_intensities(self):
+        for view, more in (("-5,8,-5", []), ("0,0,-1", ["--absorption", "2"]), ("1,0,0", [])):
+            report, width, height, rows = self.picture("--mode", "xray", "--attribute", "density", f"--view={view}", "--size", "80,64", *more)
+            self.assertEqual((width, height), (80, 64))
+            dms = report["dms"]
+            places = [(i, j) for i in range(5, 80, 9) for j in range(3, 64, 7)]
+            length = math.hypot(*dms["rays"]["along"])
+            self.assertLess(dms["error"], 1e-5)
+            seen = set()
+            for (i, j), mean in zip(places, self.means([exact_ray(dms["rays"], i, j) for i, j in places])):
+                level = 255 * math.exp(-dms["absorption"] * float(mean) * length)
+                grey = set(rows[j][i])
+                self.assertEqual(len(grey), 1)
+                self.assertLessEqual(abs(grey.pop() - level), 0.5 + 1e-3, (view, i, j))
+                seen.add(round(level))
+            self.assertGreater(len(seen), 8, "the picture is not flat")
+            self.assertIn(255, seen)
+        self.assertEqual({p for p in rows[0]}, {WHITE}, "the margin")
+
+    def test_the_darkest_pixel_shows_a_twentieth_of_the_light(self):
+        report, _, _, rows = self.picture("--mode", "xray", "--attribute", "density")
+        self.assertEqual(report["picture"]["width"], 256)
+        self.assertEqual(min(p[0] for row in rows for p in row), round(255 * math.exp(-3)))
+
+    def test_the_picture_shows_one_changed_coefficient_only_where_its_basis_function_is(self):
+        model = json.loads((self.folder / "m.vdms").read_text())
+        changed = model["control"][0]
+        changed["value"][3] = "-7"
+        self.write("n.vdms", model)
+        arguments = ("--mode", "xray", "--attribute", "density", "--size", "64,64", "--absorption", "1")
+        before, after = (self.picture(*arguments, model=name)[3] for name in ("m.vdms", "n.vdms"))
+        pairs = [(p, q) for a, b in zip(before, after) for p, q in zip(a, b)]
+        self.assertTrue(all(q[0] >= p[0] for p, q in pairs), "less absorbs less")
+        self.assertTrue(any(q[0] > p[0] for p, q in pairs))
+        self.assertTrue(any(p == q != WHITE for p, q in pairs))
+
+
+class Slice(DmsPicture):
+    def check(self, report, rows, model="m.vdms", step=5):
+        dms, n = report["dms"], 0
+        places = [(i, j) for j in range(2, len(rows), step) for i in range(2, len(rows[0]), step)]
+        points = [exact_ray(dms["rays"], i, j)[0] for i, j in places]
+        done = run("dms", "eval", model, "-", "--exact", "--json", "-", input="".join(" ".join(map(str, p)) + "\n" for p in points), cwd=self.folder)
+        low, high = dms["range"]
+        for (i, j), point in zip(places, json.loads(done.stdout)["points"]):
+            if point["exact"] is None:
+                self.assertEqual(rows[j][i], WHITE)
+                continue
+            n += 1
+            want = map_colour((float(F(point["exact"][3])) - low) / (high - low))
+            self.assertLessEqual(max(abs(c - w) for c, w in zip(rows[j][i], want)), 0.5 + 1e-6, (i, j))
+        self.assertGreater(n, 10)
+
+    def test_pixels_have_the_colours_of_exact_values(self):
+        for arguments in ([], ["--plane", "0,0,1,1/8"], ["--plane=1,2,-1,1/3", "--range=-1,2"], ["--view", "0,1,0"]):
+            report, _, _, rows = self.picture("--mode", "slice", "--attribute", "density", "--size", "90,70", *arguments)
+            self.check(report, rows)
+            if arguments[-1:] == ["--range=-1,2"]:
+                self.assertEqual(report["dms"]["range"], [-1, 2])
+
+    def test_a_side_of_the_domain_across_an_axis_is_seen(self):
+        report, _, _, rows = self.picture("--mode", "slice", "--attribute", "density", "--size", "90,90", "--plane", "0,0,1,0")
+        self.check(report, rows)
+        shown = sum(p != WHITE for row in rows for p in row)
+        self.assertLess(abs(shown - (90 * 15 / 16)**2 / 2), 2 * 90, "half of the square that fills the room")
+
+    def test_points_of_the_picture_are_in_the_plane(self):
+        report, *_ = self.picture("--mode", "slice", "--attribute", "density", "--size", "90,70", "--plane=1,2,-1,1/3")
+        for i, j in ((0, 0), (89, 0), (45, 69)):
+            x, y, z = exact_ray(report["dms"]["rays"], i, j)[0]
+            self.assertLess(abs(x + 2 * y - z - F(1, 3)), 1e-14)
+
+    def test_isolines_part_the_bands(self):
+        arguments = ("--mode", "slice", "--attribute", "density", "--size", "120,120", "--plane", "0,0,1,1/8")
+        report, _, _, plain = self.picture(*arguments)
+        _, _, _, lined = self.picture(*arguments, "--isolines", 3)
+        dark = (30, 30, 30)
+        count = 0
+        for before, after in zip(plain, lined):
+            for p, q in zip(before, after):
+                if tuple(q) == dark:
+                    count += 1
+                    self.assertNotEqual(p, WHITE)
+                else:
+                    self.assertEqual(p, q)
+        self.assertTrue(60 < count < 120 * 3 * 3, count)
+
+    def test_a_plane_beside_the_domain_shows_nothing(self):
+        self.assertIn("the plane shows no point of the domain", self.render("m.vdms", "-o", "x.png", "--mode", "slice", "--attribute", "density", "--plane", "0,0,1,3", status=4))
+        self.assertFalse((self.folder / "x.png").exists())
+
+
+class Volume(DmsPicture):
+    def test_black_that_absorbs_as_the_attribute_says_is_an_x_ray(self):
+        """The transfer function is linear from 0 on, so that the exact light is that of eq. 12."""
+        _, _, _, rays = self.picture("--mode", "xray", "--attribute", "density", "--size", "64,64", "--absorption", "1")
+        report, _, _, volume = self.picture("--mode", "volume", "--attribute", "density", "--size", "64,64", "--transfer", "0:0,0,0,0;4:0,0,0,4")
+        self.assertTrue(0 < report["dms"]["step"] <= math.sqrt(3) / 200)
+        levels = [(p[0], q[0]) for a, b in zip(rays, volume) for p, q in zip(a, b)]
+        differences = [abs(p - q) for p, q in levels]
+        self.assertLessEqual(sum(d > 1 for d in differences), 64, "rays that meet the domain for less than a step")
+        self.assertLessEqual(max(differences), 255 * 3 * report["dms"]["step"])
+        self.assertLess(min(p for p, _ in levels), 200)
+
+    def test_what_is_opaque_shows_its_colour_and_a_finer_step_changes_little(self):
+        arguments = ("--mode", "volume", "--attribute", "density", "--size", "64,64", "--transfer=-9:10,20,30,1e6")
+        _, _, _, rows = self.picture(*arguments)
+        flat = [tuple(p) for row in rows for p in row]
+        self.assertGreater(flat.count((10, 20, 30)), 300)
+        coarse, fine = (self.picture("--mode", "volume", "--attribute", "density", "--size", "64,64", "--step", step)[3] for step in ("0.02", "0.0025"))
+        worse = sum(max(abs(a - b) for a, b in zip(x, y)) > 4 for p, q in zip(coarse, fine) for x, y in zip(p, q))
+        self.assertLessEqual(worse, 40, "rays that meet the domain for less than a step")
+
+    def test_values_without_extinction_do_not_show(self):
+        _, _, _, rows = self.picture("--mode", "volume", "--attribute", "density", "--size", "64,64", "--transfer", "5:0,0,0,0;6:0,0,0,9")
+        self.assertEqual({p for row in rows for p in row}, {WHITE})
+
+
+class Common(DmsPicture):
+    MODES = [("--mode", "xray", "--attribute", "density"), ("--mode", "volume", "--attribute", "density"), ("--mode", "slice", "--attribute", "density", "--isolines", 4)]
+
+    def test_bytes_do_not_depend_on_threads(self):
+        for mode in self.MODES:
+            for jobs in (1, 3):
+                self.render("m.vdms", "-o", f"{jobs}.png", *mode, "--jobs", jobs, "--size", "70,65")
+            self.assertEqual((self.folder / "1.png").read_bytes(), (self.folder / "3.png").read_bytes(), mode)
+
+    def test_models_with_defects_are_refused(self):
+        model = json.loads(TETRAHEDRON.read_text())
+        model["vertices"][3].append(["0", "0", "-1"])
+        self.write("bad.vdms", model)
+        for mode in self.MODES:
+            self.assertIn("bad.vdms: cloud-degenerate: tetrahedron 0, beta (0,0,0,1)", self.render("bad.vdms", "-o", "x.png", *mode, status=1))
+        self.write("worse.vdms", {**model, "degree": 3})
+        self.render("worse.vdms", "-o", "x.png", *self.MODES[0], status=4)
+        self.assertFalse((self.folder / "x.png").exists())
+
+    def test_wrong_options_are_named(self):
+        (self.folder / "a.off").write_bytes((ROOT / "tests" / "models" / "m3_nearest_valid.off").read_bytes())
+        xray = ("--mode", "xray", "--attribute", "density")
+        for arguments, words in ((("m.vdms", "--mode", "xray"), "--attribute A is required with --mode"),
+                                 (("m.vdms", "--mode", "xrays"), "--mode: must be"),
+                                 (("m.vdms", *xray, "--plane", "1,0,0,0"), "--plane is not for this mode"),
+                                 (("m.vdms", "--mode", "xray", "--attribute", "mass"), "the model has the attributes density"),
+                                 (("a.off", *xray), "--mode is for simplex-spline solids, and a.off is none"),
+                                 (("m.vdms", *xray, "--grid", 3), "--grid is not for simplex-spline solids"),
+                                 (("m.vdms", *xray, "--nets"), "--nets is not for simplex-spline solids"),
+                                 (("m.vdms", *xray, "--size", "8192,8192"), "at most 16777216 pixels"),
+                                 (("m.vdms", "--mode", "slice", "--attribute", "density", "--plane", "0,0,0,1"), "--plane: is no plane"),
+                                 (("m.vdms", "--mode", "slice", "--attribute", "density", "--range", "1,1"), "--range: needs two numbers LO,HI"),
+                                 (("m.vdms", "--mode", "volume", "--attribute", "density", "--transfer", "1:2,3"), "--transfer: needs nodes V:R,G,B,E"),
+                                 (("m.vdms", "--mode", "volume", "--attribute", "density", "--transfer", "1:2,3,4,5;0:1,1,1,1"), "--transfer: has values that do not ascend"),
+                                 (("m.vdms", "--mode", "volume", "--attribute", "density", "--transfer", "1:2,3,256,5"), "is not from 0 to 255"),
+                                 (("m.vdms", "--mode", "volume", "--attribute", "density", "--transfer", "1:2,3,4,-5"), "has an extinction below 0")):
+            self.assertIn(words, self.render(*arguments, "-o", "x.png", status=2), arguments)
+        self.assertIn("a picture by --mode xray is a .png", self.render("m.vdms", *xray, "-o", "x.vtu", status=2))
+        self.assertIn("at most 65536 steps", self.render("m.vdms", "--mode", "volume", "--attribute", "density", "--step", "1e-9", "-o", "x.png", status=4))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -333,8 +333,10 @@ class RenderRun {
   ExitCode draw_dms_model(ModelInput& input) {
     if (const std::string option = option_of_others(); !option.empty())
       return fail(bad_argument(option + " is not for simplex-spline solids"));
-    if (options_.dms.mode && kind_ != ViewKind::kPng)
-      return fail(bad_argument("a picture by --mode " + mode_name(*options_.dms.mode) +
+    const auto mode = options_.dms.mode;
+    const bool is_surface = !mode || *mode == DmsMode::kIso;
+    if (!is_surface && kind_ != ViewKind::kPng)
+      return fail(bad_argument("a picture by --mode " + mode_name(*mode) +
                                " is a .png, because no surface is made"));
     progress_.phase(shown_path(path()), "reading");
     const Result<ModelFile> model = input.take();
@@ -350,13 +352,18 @@ class RenderRun {
     }
     report_.seconds_build = watch_.lap();
     progress_.phase(shown_path(path()), "drawing");
-    Result<DmsDrawing> drawn = draw_dms(file.model, options_.dms, picture_options());
+    Result<DmsDrawing> drawn =
+        is_surface ? draw_dms_surface(file.model, options_.dms, kind_, picture_options())
+                   : draw_dms(file.model, options_.dms, picture_options());
     progress_.clear();
     if (!drawn && drawn.error().code == Code::kBadArgument) return fail(drawn.error());
     if (!drawn) return refuse(drawn.error());
+    if (!drawn->doubt.empty()) complain(harmless(path() + ": " + drawn->doubt));
+    if (drawn->view.bytes.empty()) return kExitUndecided;
     report_.dms = std::move(drawn->facts);
     set_bounds(drawn->view);
-    return write(drawn->view);
+    const ExitCode exit = write(drawn->view);
+    return drawn->doubt.empty() ? exit : first_of(kExitUndecided, exit);
   }
 
   void set_bounds(const ModelView& view) {

@@ -39,14 +39,35 @@ std::optional<std::vector<double>> finite_numbers(const std::string& text, std::
   return out;
 }
 
-constexpr std::array<std::pair<std::string_view, DmsMode>, 3> kModes = {
-    {{"xray", DmsMode::kXray}, {"volume", DmsMode::kVolume}, {"slice", DmsMode::kSlice}}};
+constexpr std::array<std::pair<std::string_view, DmsMode>, 4> kModes = {
+    {{"xray", DmsMode::kXray},
+     {"volume", DmsMode::kVolume},
+     {"slice", DmsMode::kSlice},
+     {"iso", DmsMode::kIso}}};
 
 std::string take_mode(const std::string& text, std::optional<DmsMode>& mode) {
   const auto* const found =
       std::find_if(kModes.begin(), kModes.end(), [&](const auto& m) { return m.first == text; });
-  if (found == kModes.end()) return "must be xray, volume or slice, not " + text;
+  if (found == kModes.end()) return "must be xray, volume, slice or iso, not " + text;
   mode = found->second;
+  return "";
+}
+
+std::string take_exact(const std::string& text, std::optional<Rational>& target) {
+  auto numbers = exact_numbers(text, 1);
+  if (!numbers) return "must be a number, not " + text;
+  target = std::move((*numbers)[0]);
+  return "";
+}
+
+std::string take_width(const std::string& text, std::optional<Rational>& target) {
+  const std::string wrong = take_exact(text, target);
+  return wrong.empty() && target->sign() != Sign::kPositive ? "must be a number > 0" : wrong;
+}
+
+std::string take_space(const std::string& text, std::optional<bool>& in_domain) {
+  if (text != "domain" && text != "solid") return "must be domain or solid, not " + text;
+  in_domain = text == "domain";
   return "";
 }
 
@@ -101,12 +122,15 @@ struct Given {
   bool fits;  // the mode
 };
 
-std::array<Given, 7> given_options(const DmsRenderOptions& o) {
+std::array<Given, 10> given_options(const DmsRenderOptions& o) {
   const auto is = [&o](DmsMode mode) { return o.mode == mode; };
-  return {{{"--attribute", o.attribute.has_value(), o.mode.has_value()},
+  return {{{"--attribute", o.attribute.has_value(), true},
+           {"--level", o.level.has_value(), is(DmsMode::kIso)},
+           {"--within", o.within.has_value(), is(DmsMode::kIso)},
+           {"--space", o.in_domain.has_value(), is(DmsMode::kIso) || !o.mode},
            {"--plane", o.plane.has_value(), is(DmsMode::kSlice)},
            {"--transfer", o.transfer.has_value(), is(DmsMode::kVolume)},
-           {"--range", o.range.has_value(), is(DmsMode::kSlice)},
+           {"--range", o.range.has_value(), is(DmsMode::kSlice) || (!o.mode && o.attribute)},
            {"--absorption", o.absorption.has_value(), is(DmsMode::kXray)},
            {"--step", o.step.has_value(), is(DmsMode::kVolume)},
            {"--isolines", o.isolines.has_value(), is(DmsMode::kSlice)}}};
@@ -121,9 +145,18 @@ std::string mode_name(DmsMode mode) {
 void declare_dms_render(OptionSet& set, DmsRenderOptions& o) {
   set.option(
       "--mode", "M", [&o](const std::string& t) { return take_mode(t, o.mode); },
-      "vdms: xray, volume or slice; with --attribute A, --plane,\n--transfer, --range, "
-      "--absorption, --step, --isolines");
+      "vdms: xray, volume, slice or iso, with --attribute A, --level,\n--within, --space, --plane, "
+      "--transfer, --range, ...");
   set.text("--attribute", o.attribute, "the attribute that is drawn", "A");
+  set.option(
+      "--level", "C", [&o](const std::string& t) { return take_exact(t, o.level); },
+      "iso: the value of the attribute on the surface");
+  set.option(
+      "--within", "E", [&o](const std::string& t) { return take_width(t, o.within); },
+      "iso: cells that the surface crosses are at most as wide");
+  set.option(
+      "--space", "S", [&o](const std::string& t) { return take_space(t, o.in_domain); },
+      "iso, boundary: solid (default) or domain");
   set.option(
       "--plane", "A,B,C,D", [&o](const std::string& t) { return take_plane(t, o.plane); },
       "slice: the plane A x + B y + C z = D");
@@ -151,8 +184,13 @@ std::string dms_render_contradiction(const DmsRenderOptions& options) {
     return "--attribute A is required with --mode, the name of what is drawn";
   for (const Given& given : given_options(options)) {
     if (!given.is_given || given.fits) continue;
+    if (given.name == std::string("--space"))
+      return "--space: pictures of mode " + mode_name(*options.mode) +
+             " are of the domain, in which alone straight rays are straight";
     return std::string(given.name) + (options.mode ? " is not for this mode" : " needs --mode");
   }
+  if (options.mode == DmsMode::kIso && !options.level)
+    return "--level C is required with --mode iso, the value of the attribute";
   return "";
 }
 

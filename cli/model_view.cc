@@ -71,9 +71,21 @@ Result<std::string> mesh_view(const TriangleMesh& mesh, ViewKind kind) {
   return parts_gltf(parts);
 }
 
-// The view with the bytes of the scene. REQUIRES a kind other than kObj.
-Result<ModelView> with_scene(ModelView out, const Scene& scene, ViewKind kind,
-                             const PictureOptions& look) {
+}  // namespace
+
+std::optional<ViewKind> view_kind(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  if (dot == path.npos || dot == 0) return std::nullopt;
+  const std::string ending = path.substr(dot + 1);
+  if (is_word(ending, "png")) return ViewKind::kPng;
+  if (is_word(ending, "vtu")) return ViewKind::kVtu;
+  if (is_word(ending, "gltf")) return ViewKind::kGltf;
+  if (is_word(ending, "obj")) return ViewKind::kObj;
+  return std::nullopt;
+}
+
+Result<ModelView> view_of_scene(ModelView out, const Scene& scene, ViewKind kind,
+                                const PictureOptions& look) {
   Result<std::string> bytes = bad_argument("");
   if (kind == ViewKind::kVtu) {
     bytes = scene_vtu(scene);
@@ -89,19 +101,6 @@ Result<ModelView> with_scene(ModelView out, const Scene& scene, ViewKind kind,
   if (!is_empty) out.box = box_of(scene);
   out.bytes = std::move(*bytes);
   return out;
-}
-
-}  // namespace
-
-std::optional<ViewKind> view_kind(const std::string& path) {
-  const std::size_t dot = path.rfind('.');
-  if (dot == path.npos || dot == 0) return std::nullopt;
-  const std::string ending = path.substr(dot + 1);
-  if (is_word(ending, "png")) return ViewKind::kPng;
-  if (is_word(ending, "vtu")) return ViewKind::kVtu;
-  if (is_word(ending, "gltf")) return ViewKind::kGltf;
-  if (is_word(ending, "obj")) return ViewKind::kObj;
-  return std::nullopt;
 }
 
 Result<ModelView> view_of_cells(const SplineModel& model, const VolumeViewOptions& options,
@@ -145,7 +144,7 @@ Result<ModelView> view_of_micro(const Microstructure& micro, const MicroViewOpti
     out.bytes = parts_obj(*parts);
     return out;
   }
-  return with_scene(std::move(out), micro_scene(std::move(*parts)), kind, look);
+  return view_of_scene(std::move(out), micro_scene(std::move(*parts)), kind, look);
 }
 
 Result<ModelView> view_of_curves(const SplineModel& model, const CurveViewOptions& options,
@@ -161,8 +160,8 @@ Result<ModelView> view_of_curves(const SplineModel& model, const CurveViewOption
     out.bytes = parts_obj(*parts);
     return out;
   }
-  return with_scene(std::move(out), curve_scene(std::move(*parts), counts.curves + counts.bridges),
-                    kind, look);
+  return view_of_scene(std::move(out),
+                       curve_scene(std::move(*parts), counts.curves + counts.bridges), kind, look);
 }
 
 Result<ModelView> view_of_solid(const ModelFile& model, ViewKind kind) {

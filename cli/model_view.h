@@ -37,6 +37,11 @@ Result<ModelView> view_of_curves(const SplineModel& model, const CurveViewOption
 Result<ModelView> view_of_micro(const Microstructure& micro, const MicroViewOptions& options,
                                 ViewKind kind, const PictureOptions& look);
 
+/// The view with the bytes of a scene, and its box. REQUIRES a kind other than kObj.
+/// @error as draw_scene and the files for viewers
+Result<ModelView> view_of_scene(ModelView view, const Scene& scene, ViewKind kind,
+                                const PictureOptions& look);
+
 /// A solid in one colour: a mesh as it is, splines as convert shows them. REQUIRES a kind other than kPng.
 /// @error as parts_gltf and view_bytes; kBadArgument for a model that is neither a mesh nor splines
 Result<ModelView> view_of_solid(const ModelFile& model, ViewKind kind);

@@ -10,6 +10,14 @@
 
 namespace veritope {
 
+namespace {
+
+// Bounds of cubic rays are often over the tolerance of DmsRayWeights, whose rays would be computed in rationals, some
+// thousand times slower. This one is a fraction of a grey level.
+constexpr double kTolerance = 0x1p-13;
+
+}  // namespace
+
 Result<DmsXrayPicture> draw_dms_xray(const DmsModel& model, std::size_t component,
                                      const PictureOptions& look, std::optional<double> absorption) {
   const Result<DmsRayGrid> rays = rays_of_picture(domain_box(model), look);
@@ -18,8 +26,8 @@ Result<DmsXrayPicture> draw_dms_xray(const DmsModel& model, std::size_t componen
   out.rays = *rays;
   const Point3d& d = rays->along;
   const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-  const std::vector<DmsRaySum> sums =
-      ray_sums(DmsRayWeights(model, *rays), DmsCoefficients(model, component), look.jobs);
+  const std::vector<DmsRaySum> sums = ray_sums(DmsRayWeights(model, *rays, kTolerance),
+                                               DmsCoefficients(model, component), look.jobs);
   for (const DmsRaySum& sum : sums) {
     out.greatest = std::max(out.greatest, sum.mean * length);
     out.error = std::max(out.error, sum.bound * length);

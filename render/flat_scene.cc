@@ -42,6 +42,16 @@ Colour scaled(Colour colour, double factor) {
   return {channel(colour.red), channel(colour.green), channel(colour.blue)};
 }
 
+// The light on a point of a smooth surface, whose normal is turned to the side of the facet that is seen.
+double smooth_light(Point3d normal, const FacetView& facet) {
+  double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  if (!(length > 0) || !std::isfinite(length)) return facet.light;
+  const auto& n = facet.normal;
+  if (normal[0] * n[0] + normal[1] * n[1] + normal[2] * n[2] < 0) length = -length;
+  for (double& x : normal) x /= length;
+  return light_of(normal);
+}
+
 class Flattener {
  public:
   Flattener(const Scene& scene, const Point3d& view)
@@ -62,6 +72,9 @@ class Flattener {
     const bool is_plain = surface.paints.size() == 1;
     VT_CHECK(is_plain || surface.paints.size() == surface.triangles.size(),
              "one paint for each triangle, or one for all");
+    VT_CHECK((surface.normals.empty() || surface.normals.size() == surface.points.size()) &&
+                 (surface.colours.empty() || surface.colours.size() == surface.points.size()),
+             "normals and colours are those of points");
     const auto first = static_cast<std::uint32_t>(out_.corners.size());
     out_.corners.resize(first + surface.points.size());
     std::vector<Point3d> in_frame(surface.points.size());
@@ -74,10 +87,25 @@ class Flattener {
       const FacetView view =
           facet_view({in_frame[a], in_frame[b], in_frame[c]}, camera_.distance());
       const Paint& paint = surface.paints[is_plain ? 0 : t];
-      out_.triangles.push_back({{first + a, first + b, first + c},
-                                {scaled(paint.colour, view.light), paint.opacity},
-                                view.normal});
+      FlatTriangle& flat = out_.triangles.emplace_back(
+          FlatTriangle{{first + a, first + b, first + c},
+                       {scaled(paint.colour, view.light), paint.opacity},
+                       view.normal});
+      if (!surface.normals.empty() || !surface.colours.empty())
+        flat.smooth = add_smooth(surface, surface.triangles[t], paint.colour, view);
     }
+  }
+  std::uint32_t add_smooth(const SceneSurface& surface, const std::array<std::uint32_t, 3>& corners,
+                           Colour colour, const FacetView& facet) {
+    std::array<Colour, 3>& shaded = out_.smooth.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t i = corners[k];
+      const double light = surface.normals.empty()
+                               ? facet.light
+                               : smooth_light(camera_.turned(surface.normals[i]), facet);
+      shaded[k] = scaled(surface.colours.empty() ? colour : surface.colours[i], light);
+    }
+    return static_cast<std::uint32_t>(out_.smooth.size() - 1);
   }
   void add(const SceneLine& line) {
     std::vector<PicturePoint> points;

@@ -26,6 +26,8 @@ struct FlatTriangle {
   std::array<std::uint32_t, 3> corners;  ///< of FlatScene::corners
   Paint paint;                           ///< shaded
   std::array<std::int8_t, 3> normal;     ///< as in FacetView
+  std::uint32_t smooth = kNoSmooth;  ///< the shaded colours of its corners, in FlatScene::smooth
+  static constexpr std::uint32_t kNoSmooth = 0xffffffff;
 };
 
 /// All points within a radius of the segment from a to b, which may be a point.
@@ -43,6 +45,7 @@ inline constexpr double kRim = 2;
 struct FlatScene {
   std::vector<PicturePoint> corners;
   std::vector<FlatTriangle> triangles;
+  std::vector<std::array<Colour, 3>> smooth;
   std::vector<FlatMark> marks;  ///< by layer; lines before markers in each
 };
 

@@ -67,6 +67,11 @@ Point3d SceneCamera::in_frame(const Point3d& p) const {
   return {dot_of(unit, axes_.right), dot_of(unit, axes_.up), dot_of(unit, axes_.toward)};
 }
 
+Point3d SceneCamera::turned(const Point3d& direction) const {
+  return {dot_of(direction, axes_.right), dot_of(direction, axes_.up),
+          dot_of(direction, axes_.toward)};
+}
+
 // Along a straight line of the picture the inverse of the distance is linear, the distance is not.
 PicturePoint SceneCamera::projected(const Point3d& p) const {
   const double inverse = 1 / (distance() - p[2]);

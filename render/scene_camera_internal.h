@@ -43,6 +43,8 @@ class SceneCamera {
   /// In units of the box's longest side up to a power of two, with the origin in its centre: to the right, upward, and
   /// toward the camera. Nothing overflows. REQUIRES p in the box.
   Point3d in_frame(const Point3d& p) const;
+  /// The components of a direction along the axes of the picture, in proportion. REQUIRES a finite direction.
+  Point3d turned(const Point3d& direction) const;
   /// On a plane at distance 1 from the camera. REQUIRES p = in_frame(of a point in the box).
   PicturePoint projected(const Point3d& p) const;
   double distance() const { return 4 * radius_; }

@@ -2,6 +2,7 @@
 #include "render/surface_samples_internal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "render/triangle_samples_internal.h"
@@ -20,6 +21,27 @@ void insert_layer(std::uint64_t key, std::array<std::uint64_t, N>& layers) {
       return;
     }
   }
+}
+
+// Linear between the corners of a triangle, at a sample that it covers.
+Colour smooth_colour(const FlatScene& scene, const FlatTriangle& triangle, std::size_t column,
+                     std::size_t row) {
+  constexpr double kThin = 0x1p-20, kSide = 1 / static_cast<double>(kSamples);
+  const std::array<Colour, 3>& colours = scene.smooth[triangle.smooth];
+  const PicturePoint &a = scene.corners[triangle.corners[0]],
+                     &b = scene.corners[triangle.corners[1]],
+                     &c = scene.corners[triangle.corners[2]];
+  const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+  if (!(std::abs(area) > kThin)) return colours[0];
+  const double x = (static_cast<double>(column) + 0.5) * kSide - a.x,
+               y = (static_cast<double>(row) + 0.5) * kSide - a.y;
+  const double v = std::clamp((x * (c.y - a.y) - (c.x - a.x) * y) / area, 0.0, 1.0),
+               w = std::clamp(((b.x - a.x) * y - x * (b.y - a.y)) / area, 0.0, 1.0 - v);
+  const auto channel = [&](std::uint8_t Colour::*of) {
+    return static_cast<std::uint8_t>((1 - v - w) * colours[0].*of + v * colours[1].*of +
+                                     w * colours[2].*of + 0.5);
+  };
+  return {channel(&Colour::red), channel(&Colour::green), channel(&Colour::blue)};
 }
 
 // Colours on top of each other, from the front. Shares are in units of 2^-16: integers, so that white over white is
@@ -69,12 +91,14 @@ void SurfaceSamples::add(std::uint32_t triangle) {
   }
 }
 
-Colour SurfaceSamples::blended(const Layers& layers, Colour background) const {
+Colour SurfaceSamples::blended(std::size_t column, std::size_t row, Colour background) const {
   Blend blend;
-  for (const std::uint64_t key : layers) {
+  for (const std::uint64_t key : layers_[rows_.index(column, row)]) {
     if (key == kNoKey) break;
-    const Paint& paint = scene_->triangles[order_of(key)].paint;
-    blend.add(paint.colour, paint.opacity);
+    const FlatTriangle& triangle = scene_->triangles[order_of(key)];
+    const bool is_smooth = triangle.smooth != FlatTriangle::kNoSmooth;
+    blend.add(is_smooth ? smooth_colour(*scene_, triangle, column, row) : triangle.paint.colour,
+              triangle.paint.opacity);
   }
   blend.add(background, 255);
   return blend.colour();
@@ -108,7 +132,7 @@ void SurfaceSamples::draw_over(const SampleRows& rows, bool with_outlines,
       const std::uint64_t key = front(column, row);
       if (key == kNoKey) continue;
       Colour& colour = colours[rows.index(column, row)];
-      colour = blended(layers_[rows_.index(column, row)], colour);
+      colour = blended(column, row, colour);
       if (!with_outlines || !is_outline(column, row)) continue;
       Blend blend;
       blend.add(kOutline, scene_->triangles[order_of(key)].paint.opacity * 3U / 5);

@@ -29,7 +29,7 @@ class SurfaceSamples {
 
  private:
   using Layers = std::array<std::uint64_t, kMostLayers>;
-  Colour blended(const Layers& layers, Colour background) const;
+  Colour blended(std::size_t column, std::size_t row, Colour background) const;
   std::uint64_t front(std::size_t column, std::size_t row) const {
     return layers_[rows_.index(column, row)].front();
   }

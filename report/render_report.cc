@@ -57,6 +57,7 @@ Json dms_json(const DmsPicture& dms) {
   out["absorption"] = optional_json(dms.absorption);
   out["error"] = optional_json(dms.error);
   out["step"] = optional_json(dms.step);
+  out["certified"] = optional_json(dms.certified);
   return out;
 }
 

@@ -51,6 +51,7 @@ struct DmsPicture {
   std::optional<std::array<double, 2>> range;  ///< of the colours
   std::optional<double> absorption, error;     ///< of X-rays
   std::optional<double> step;                  ///< of volumes
+  std::optional<bool> certified;               ///< of surfaces where an attribute has a value
 };
 
 struct RenderReport {

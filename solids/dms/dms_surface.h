@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/dms/dms_surface.h: the map on the boundary of its domain, as Bezier triangles.
 #pragma once
+#include <array>
 #include <variant>
 #include <vector>
 
@@ -23,6 +24,16 @@ std::vector<BezierTriangle<Rational>> patches_on(const DmsModel& model,
 /// REQUIRES the complex of the model, and a model without defects (solids/dms/dms_defects.h).
 /// @cost the tiles, and patches_on them
 std::variant<std::vector<BezierTriangle<Rational>>, DmsOpenFace> boundary_patches(
+    const DmsModel& model, const TetrahedralComplex& complex);
+
+/// The map with its attributes on a tile of the boundary, whose corners are those of its parameter triangle.
+struct DmsBoundaryPiece {
+  std::array<DmsPoint, 3> corners;
+  BezierTriangle<Rational> map;
+};
+
+/// As boundary_patches, with all components of the model: x, y, z and the attributes.
+std::variant<std::vector<DmsBoundaryPiece>, DmsOpenFace> boundary_pieces(
     const DmsModel& model, const TetrahedralComplex& complex);
 
 }  // namespace veritope

@@ -79,11 +79,11 @@ Result<DmsDrawing> boundary_of(const DmsModel& model, const DmsRenderOptions& op
   return out;
 }
 
-// 1/24 of the diagonal of the domain's box.
+// 1/12 of the diagonal of the domain's box.
 Rational default_width(const DmsModel& model) {
   const Box3d box = domain_box(model);
   return Rational::from_double(
-      std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]) / 24);
+      std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]) / 12);
 }
 
 Result<DmsIso> iso_of(const DmsModel& model, std::size_t component,
@@ -91,6 +91,7 @@ Result<DmsIso> iso_of(const DmsModel& model, std::size_t component,
   DmsIsoOptions how;
   how.attribute = component - 3;
   how.level = *options.level;
+  how.max_cells = 10'000;
   how.within = options.within ? *options.within : default_width(model);
   return find_dms_iso(model, how);
 }

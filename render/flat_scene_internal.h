@@ -45,8 +45,8 @@ inline constexpr double kRim = 2;
 struct FlatScene {
   std::vector<PicturePoint> corners;
   std::vector<FlatTriangle> triangles;
-  std::vector<std::array<Colour, 3>> smooth;
   std::vector<FlatMark> marks;  ///< by layer; lines before markers in each
+  std::vector<std::array<Colour, 3>> smooth = {};  ///< of the triangles that have them
 };
 
 /// The scene as large as it fits into the room, marks with their rims included; in a room that is less than ten times

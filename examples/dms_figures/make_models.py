@@ -119,7 +119,7 @@ def main():
     one.places = [tuple(map(F, p)) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
     one.tetrahedra = [[0, 1, 2, 3]]
     one.write(folder / "one.vdms", {"basis": lambda p: 0})
-    ring(24, 3).write(folder / "ring.vdms", {"density": lambda p: F(1, 10), "height": lambda p: p[2]})
+    ring(18, 2).write(folder / "ring.vdms", {"density": lambda p: F(1, 10), "height": lambda p: p[2]})
     five = Domain()
     for n in range(5):
         ring(12, 1, five, n, (F(9 * n, 2), F(9 * (n % 2), 4), 0), F(1, 2))
@@ -130,7 +130,9 @@ def main():
     points(folder / "shell.txt", cube_points(6000, shell, 7))
     points(folder / "waves.txt", cube_points(6000, waves, 11))
     inside = lambda row: sum(1 / 3 <= x <= 2 / 3 for x in row[:3]) >= 2
-    points(folder / "cross.txt", [row for row in cube_points(60000, cross, 12) if inside(row)][:6000])
+    rows = [row for row in cube_points(60000, cross, 12) if inside(row)][:6000]
+    points(folder / "cross.txt", rows)
+    points(folder / "cross_points.txt", [row[:3] for row in rows[:3000]])
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@
 """veritope render of simplex-spline solids: pixels beside exact values of dms eval and dms xray, sizes, refusals, bytes."""
 import json
 import math
-import pathlib
 import re
 import unittest
 from fractions import Fraction as F
@@ -173,8 +172,90 @@ class Volume(DmsPicture):
         self.assertEqual({p for row in rows for p in row}, {WHITE})
 
 
+def triangles_of(path):
+    """The triangles of an .obj, as points."""
+    rows = [line.split() for line in path.read_text().splitlines()]
+    points = [tuple(map(float, row[1:4])) for row in rows if row[0] == "v"]
+    return [[points[int(i) - 1] for i in row[1:]] for row in rows if row[0] == "f"]
+
+
+class Surface(DmsPicture):
+    def bent(self):
+        """A model with one knot a vertex whose image is bent upward: z + x^2 / 2 at the control points."""
+        self.assertEqual(run("dms", "make", "domain.vdms", "-o", "c.vdms", "--degree", 2, cwd=self.folder).returncode, 0)
+        model = json.loads((self.folder / "c.vdms").read_text())
+        for control in model["control"]:
+            control["value"][2] = str(F(control["value"][2]) + F(control["value"][0])**2 / 2)
+        self.write("bent.vdms", model)
+        return model
+
+    def test_the_boundary_is_that_of_the_solid_or_of_the_domain(self):
+        self.bent()
+        for space, top in ((), 0.5), (("--space", "solid"), 0.5), (("--space", "domain"), 0):
+            self.render("bent.vdms", "-o", "b.obj", *space)
+            triangles = triangles_of(self.folder / "b.obj")
+            at_x = [p[2] for t in triangles for p in t if p[0] == 1]
+            self.assertTrue(at_x and abs(min(at_x) - top) < 0.05, (space, min(at_x)))
+            volume = sum(x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) + x[2] * (y[0] * z[1] - y[1] * z[0]) for x, y, z in triangles) / 6
+            self.assertAlmostEqual(volume, 1 / 6, delta=1e-3, msg="the map moves columns along z, and faces point outward")
+
+    def test_colours_are_those_of_the_attribute(self):
+        """Seen along an axis, a side of the domain is a slice."""
+        report, _, _, rows = self.picture("--attribute", "density", "--size", "100,100", "--view", "0,0,1", "--space", "domain", "--range", "0,4")
+        self.assertEqual((report["dms"]["mode"], report["dms"]["range"], report["dms"]["rays"]), ("boundary", [0, 4], None))
+        hues = {p for row in rows for p in row}
+        self.assertGreater(len(hues), 100)
+        _, _, _, plain = self.picture("--size", "100,100", "--view", "0,0,1", "--space", "domain")
+        self.assertLess(len({p for row in plain for p in row}), 40)
+
+    def test_level_sets_are_those_of_dms_iso(self):
+        model = self.bent()
+        model["attributes"] = ["z"]
+        for control in model["control"]:
+            control["value"][3] = str(F(control["value"][2]) - F(control["value"][0])**2 / 2)
+        self.write("flat.vdms", model)
+        report, _, _, rows = self.picture("--mode", "iso", "--attribute", "z", "--level", "1/3", "--size", "100,80", model="flat.vdms")
+        self.assertEqual((report["dms"]["mode"], report["dms"]["certified"], report["dms"]["attribute"]), ("iso", True, "z"))
+        self.assertTrue(any(p[0] > p[2] + 60 for row in rows for p in row), "an orange surface")
+        self.render("flat.vdms", "-o", "i.obj", "--mode", "iso", "--attribute", "z", "--level", "1/3", "--space", "domain")
+        text = (self.folder / "i.obj").read_text()
+        self.assertEqual(re.findall(r"(?m)^g (\S+)", text), ["level", "boundary"])
+        (self.folder / "l.obj").write_text(text[:text.index("g boundary")])
+        level = triangles_of(self.folder / "l.obj")
+        self.assertGreater(len(level), 20)
+        self.assertLess(max(abs(p[2] - 1 / 3) for t in level for p in t), 1e-5)
+        area = sum((a[0] * b[1] - a[1] * b[0] + b[0] * c[1] - b[1] * c[0] + c[0] * a[1] - c[1] * a[0]) / 2 for a, b, c in level)
+        self.assertAlmostEqual(abs(area), (2 / 3)**2 / 2, delta=1e-5)
+
+    def test_a_level_that_is_not_certified_is_drawn_with_status_3(self):
+        model = self.bent()
+        model["attributes"] = ["z"]
+        self.write("bent.vdms", model)
+        done = run("render", "bent.vdms", "-o", "v.png", "--mode", "iso", "--attribute", "z", "--level", "1/4", "--size", "64,64", cwd=self.folder)
+        self.assertEqual(done.returncode, 3, done)
+        self.assertIn("the topology of the surface is not certified", re.sub(r"\s+", " ", done.stderr))
+        self.assertTrue((self.folder / "v.png").exists())
+
+
+class Page(DmsPicture):
+    def test_the_page_shows_what_the_program_prints(self):
+        (self.folder / "m.vdms").write_bytes(TETRAHEDRON.read_bytes())
+        text = (ROOT / "docs" / "cli" / "render.md").read_text().split("## Simplex-spline solids")[1]
+        commands = re.findall(r"(?m)^\$ veritope (.*)\n(.*)$", text.split("```")[1])
+        self.assertEqual(len(commands), 5)
+        for command, answer in commands:
+            done = run(*command.split(), cwd=self.folder)
+            self.assertEqual((done.returncode, done.stdout.rstrip("\n")), (0, answer), command)
+
+    def test_options_are_on_the_page(self):
+        page = (ROOT / "docs" / "cli" / "render.md").read_text()
+        for option in ("--mode", "--attribute", "--absorption", "--transfer", "--step", "--plane", "--range", "--isolines", "--level", "--within", "--space"):
+            self.assertIn(f"| `{option} ", page)
+
+
 class Common(DmsPicture):
-    MODES = [("--mode", "xray", "--attribute", "density"), ("--mode", "volume", "--attribute", "density"), ("--mode", "slice", "--attribute", "density", "--isolines", 4)]
+    MODES = [("--mode", "xray", "--attribute", "density"), ("--mode", "volume", "--attribute", "density"), ("--mode", "slice", "--attribute", "density", "--isolines", 4),
+             ("--attribute", "density")]
 
     def test_bytes_do_not_depend_on_threads(self):
         for mode in self.MODES:

@@ -93,6 +93,8 @@ class Schema(Folder):
         yield json.loads(run("dms", "fit", "-", *fit, input=data).stdout)
         surface = ("--attribute", "density", "--level", "1/3", "--within", 1, "-o", self.folder / "f.off", "--json", "-")
         yield json.loads(run("dms", "iso", dms, *surface).stdout)
+        for mode in (("--mode", "xray"), ("--mode", "volume"), ("--mode", "slice"), ("--mode", "iso", "--level", "1/3"), ()):
+            yield json.loads(run("render", dms, *mode, "--attribute", "density", "-o", self.folder / "e.png", "--size", "64,64", "--json", "-").stdout)
         curves, square = self.folder / "curves.json", self.folder / "square.itd"
         square.write_text(SQUARE)
         yield json.loads(run("intersect", MODELS / "patches" / "cube.itd", square, "--json", "-", "-o", curves).stdout)

@@ -99,6 +99,10 @@ def command_lines():
     yield ["render", "examples/self_crossing.off", "-o", "e.png"]
     yield ["render", "tests/models/splines/two_cubes.mesh", "-o", "a.gltf", "--explode", "1", "--nets"]
     yield ["render", "examples/self_crossing.off", "-o", "e.png", "--nets"]
+    yield ["render", "--help"]
+    yield ["render", "tests/models/dms/tetrahedron.vdms", "-o", "e.png", "--mode", "slice", "--attribute", "density", "--size", "64,64"]
+    yield ["render", "tests/models/dms/tetrahedron.vdms", "-o", "e.png", "--attribute", "density", "--size", "64,64"]
+    yield ["render", "tests/models/dms/tetrahedron.vdms", "-o", "e.png", "--mode", "xray", "--attribute", "mass"]
     yield ["cover", cube, "-o", "o.vtu"]
     yield ["cover", cube, "--sweep", "1"]
     for page in ([], ["M3"], ["side-open"], ["undecided"], ["face"]):

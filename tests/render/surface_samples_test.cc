@@ -107,5 +107,25 @@ TEST(SurfaceSamples, SharpEdgesAndStepsHaveOutlinesAndOthersNot) {
   }
 }
 
+TEST(SurfaceSamples, ColoursOfSmoothTrianglesAreLinear) {
+  FlatScene scene = sheets({5}, {{{9, 9, 9}}});
+  scene.smooth.push_back({Colour{0, 40, 200}, Colour{240, 40, 200}, Colour{0, 40, 80}});
+  scene.triangles[0].smooth = 0;
+  SurfaceSamples samples(kRows, scene);
+  samples.add(0);
+  std::vector<Colour> colours(kRows.size(), kWhite);
+  samples.draw_over(kRows, false, colours);
+  // Corners are 24 samples apart, along columns and along rows.
+  for (std::size_t row = 0; row < 10; ++row)
+    for (std::size_t column = 0; column < 10; ++column) {
+      const Colour& c = colours[kRows.index(column, row)];
+      const double x = (static_cast<double>(column) + 0.5) / 24,
+                   y = (static_cast<double>(row) + 0.5) / 24;
+      EXPECT_NEAR(c.red, 240 * x, 0.51);
+      EXPECT_EQ(c.green, 40);
+      EXPECT_NEAR(c.blue, 200 - 120 * y, 0.51);
+    }
+}
+
 }  // namespace
 }  // namespace veritope::internal

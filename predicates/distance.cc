@@ -59,28 +59,34 @@ Sign sign_of_value(TierCounts* tally, const std::array<const ExactPoint3*, N>& p
       });
 }
 
-// Whether the angle between u and v, which are not zero, is at most the one given: their product is not negative, and
-// its square is at least the squared cosine times their squares.
+// The sign of the given angle minus that between u and v, which are not zero. Where their product is not negative, it
+// is the sign of its square minus the squared cosine times their squares.
 template <typename Pair, std::size_t N>
-bool is_angle_at_most(TierCounts* tally, const std::array<const ExactPoint3*, N>& points,
+Sign compare_angle_to(TierCounts* tally, const std::array<const ExactPoint3*, N>& points,
                       const Rational& squared_cosine, Pair pair) {
   const Sign product = sign_of_value(tally, points, [&](const auto& p) {
     const auto [u, v] = pair(p);
     return dot(u, v);
   });
-  if (product == Sign::kNegative) return false;
+  if (product == Sign::kNegative) return Sign::kNegative;
   const Rational numerator(squared_cosine.numerator()), denominator(squared_cosine.denominator());
   const Interval n = enclose(numerator), d = enclose(denominator);
   return sign_of_value(tally, points, [&](const auto& p) {
-           const auto [u, v] = pair(p);
-           const auto product_of = dot(u, v);
-           using T = std::decay_t<decltype(product_of)>;
-           if constexpr (std::is_same_v<T, Interval>) {
-             return d * product_of * product_of - n * squared(u) * squared(v);
-           } else {
-             return denominator * product_of * product_of - numerator * squared(u) * squared(v);
-           }
-         }) != Sign::kNegative;
+    const auto [u, v] = pair(p);
+    const auto product_of = dot(u, v);
+    using T = std::decay_t<decltype(product_of)>;
+    if constexpr (std::is_same_v<T, Interval>) {
+      return d * product_of * product_of - n * squared(u) * squared(v);
+    } else {
+      return denominator * product_of * product_of - numerator * squared(u) * squared(v);
+    }
+  });
+}
+
+template <typename Pair, std::size_t N>
+bool is_angle_at_most(TierCounts* tally, const std::array<const ExactPoint3*, N>& points,
+                      const Rational& squared_cosine, Pair pair) {
+  return compare_angle_to(tally, points, squared_cosine, pair) != Sign::kNegative;
 }
 
 }  // namespace
@@ -123,6 +129,36 @@ Sign compare_circumradius(const std::array<const ExactPoint3*, 4>& tetrahedron,
       return squared(normal) - exact_factor * triple * triple * squared(minus(x[4], x[5]));
     }
   });
+}
+
+Sign compare_volume(const std::array<const ExactPoint3*, 4>& tetrahedron, const Rational& volume,
+                    TierCounts* tally) {
+  const Rational exact_limit = volume * Rational(6);
+  const Interval near_limit = enclose(exact_limit);
+  return sign_of_value(tally, tetrahedron, [&](const auto& x) {
+    const auto triple = dot(minus(x[1], x[0]), cross(minus(x[2], x[0]), minus(x[3], x[0])));
+    using T = std::decay_t<decltype(triple)>;
+    if constexpr (std::is_same_v<T, Interval>) {
+      return triple - near_limit;
+    } else {
+      return triple - exact_limit;
+    }
+  });
+}
+
+bool is_angle_less(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c,
+                   const Rational& squared_cosine, TierCounts* tally) {
+  return compare_angle_to(tally, std::array{&a, &b, &c}, squared_cosine, [](const auto& x) {
+           return std::pair(minus(x[0], x[1]), minus(x[2], x[1]));
+         }) == Sign::kPositive;
+}
+
+bool is_dihedral_less(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c,
+                      const ExactPoint3& d, const Rational& squared_cosine, TierCounts* tally) {
+  return compare_angle_to(tally, std::array{&a, &b, &c, &d}, squared_cosine, [](const auto& x) {
+           const auto edge = minus(x[1], x[0]);
+           return std::pair(cross(edge, minus(x[2], x[0])), cross(edge, minus(x[3], x[0])));
+         }) == Sign::kPositive;
 }
 
 bool turns_more(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c,

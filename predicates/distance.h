@@ -25,6 +25,21 @@ Sign compare_circumradius(const std::array<const ExactPoint3*, 4>& tetrahedron,
                           const ExactPoint3& p, const ExactPoint3& q, const Rational& factor,
                           TierCounts* tally = nullptr);
 
+/// The sign of the volume of the tetrahedron minus `volume`. REQUIRES orient3d of the corners >= 0.
+Sign compare_volume(const std::array<const ExactPoint3*, 4>& tetrahedron, const Rational& volume,
+                    TierCounts* tally = nullptr);
+
+/// Whether the angle at b between a and c is less than the one, from 0 to a right one, whose squared cosine is given.
+/// REQUIRES a != b, b != c.
+bool is_angle_less(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c,
+                   const Rational& squared_cosine, TierCounts* tally = nullptr);
+
+/// Whether the half-planes from the line a b through c and d enclose less than the angle whose squared cosine is given,
+/// as above. REQUIRES triangles a b c and a b d that are not degenerate.
+bool is_dihedral_less(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c,
+                      const ExactPoint3& d, const Rational& squared_cosine,
+                      TierCounts* tally = nullptr);
+
 /// Whether the path a, b, c turns at b by more than the angle, from 0 to a right one, whose squared cosine is given.
 /// REQUIRES a != b, b != c.
 bool turns_more(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c,

@@ -79,8 +79,9 @@ std::uint32_t LinkedTetrahedra::cone(std::span<const std::uint32_t> ball,
   return shell_.back().slot;
 }
 
-void LinkedTetrahedra::replace_by_cone(std::span<const std::uint32_t> ball,
-                                       std::span<const TetrahedronFace> shell, std::uint32_t apex) {
+std::vector<std::uint32_t> LinkedTetrahedra::replace_by_cone(std::span<const std::uint32_t> ball,
+                                                             std::span<const TetrahedronFace> shell,
+                                                             std::uint32_t apex) {
   const auto keyed = [&](std::array<std::uint32_t, 3> v, TetrahedronFace f) {
     std::sort(v.begin(), v.end());
     return KeyedFace{v, f};
@@ -98,11 +99,14 @@ void LinkedTetrahedra::replace_by_cone(std::span<const std::uint32_t> ball,
     cells_[t].corners[0] = kUnused;
     unused_.push_back(t);
   }
+  std::vector<std::uint32_t> added;
   for (const TetrahedronCorners& cell : cells) {
     const std::uint32_t t = add(cell);
+    added.push_back(t);
     for (std::uint32_t m = 0; m < 4; ++m) faces.push_back(keyed(vertices(4 * t + m), 4 * t + m));
   }
   glue_equal(faces, *this);
+  return added;
 }
 
 void LinkedTetrahedra::take_shell(std::span<const TetrahedronFace> shell) {

@@ -53,10 +53,11 @@ class LinkedTetrahedra {
   static constexpr std::size_t kManyVertices = 256;
   /// The general form: the apex may be a vertex of the shell, whose faces at the apex have no new tetrahedron, and
   /// faces may be left out of `shell` that lie on the boundary, in a plane with the apex; the new faces there are glued
-  /// to none.
+  /// to none. Returns the new tetrahedra.
   /// REQUIRES a shell as above, but for those faces; at least one face without the apex. @cost a sort
-  void replace_by_cone(std::span<const std::uint32_t> ball, std::span<const TetrahedronFace> shell,
-                       std::uint32_t apex);
+  std::vector<std::uint32_t> replace_by_cone(std::span<const std::uint32_t> ball,
+                                             std::span<const TetrahedronFace> shell,
+                                             std::uint32_t apex);
 
  private:
   static constexpr std::uint32_t kUnused = 0xffffffffu;

@@ -127,4 +127,18 @@ Result<DelaunayTetrahedra> delaunay_tetrahedra(std::span<const ExactPoint3> poin
   return internal::build_delaunay(RationalPoints(points, order), order, limits);
 }
 
+bool is_locally_delaunay(std::span<const ExactPoint3> points, const TetrahedralComplex& complex) {
+  const auto& tetrahedra = complex.tetrahedra();
+  for (TetrahedronFace f = 0; f < 4 * tetrahedra.size(); ++f) {
+    const auto partner = complex.partner(f);
+    if (!partner || *partner < f) continue;
+    const TetrahedronCorners& t = tetrahedra[face_tetrahedron(f)];
+    const std::uint32_t opposite = tetrahedra[face_tetrahedron(*partner)][face_corner(*partner)];
+    if (in_sphere(points[t[0]], points[t[1]], points[t[2]], points[t[3]], points[opposite]) ==
+        Sign::kPositive)
+      return false;
+  }
+  return true;
+}
+
 }  // namespace veritope

@@ -43,4 +43,8 @@ Result<DelaunayTetrahedra> delaunay_tetrahedra(std::span<const Vec3d> points,
 Result<DelaunayTetrahedra> delaunay_tetrahedra(std::span<const ExactPoint3> points,
                                                const DelaunayLimits& limits = {});
 
+/// Whether no sphere of a tetrahedron contains the opposite corner of a neighbour. If the complex fills a convex set
+/// then no sphere contains any vertex. REQUIRES positive tetrahedra, face to face.
+bool is_locally_delaunay(std::span<const ExactPoint3> points, const TetrahedralComplex& complex);
+
 }  // namespace veritope

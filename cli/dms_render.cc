@@ -49,7 +49,8 @@ Result<DmsDrawing> volume_of(const DmsModel& model, std::size_t component,
 
 Result<DmsDrawing> slice_of(const DmsModel& model, std::size_t component,
                             const DmsRenderOptions& options, const PictureOptions& look) {
-  const DmsCut cut = options.plane ? *options.plane : middle_cut(domain_box(model), look.view);
+  const DmsSlicePlane cut =
+      options.plane ? *options.plane : middle_cut(domain_box(model), look.view);
   const Result<DmsSlicePicture> picture =
       draw_dms_slice(model, component, cut, look, {options.range, options.isolines.value_or(0)});
   if (!picture) return picture.error();
@@ -67,12 +68,14 @@ Result<DmsDrawing> slice_of(const DmsModel& model, std::size_t component,
 
 Result<DmsDrawing> draw_dms(const DmsModel& model, const DmsRenderOptions& options,
                             const PictureOptions& look) {
-  const Result<std::size_t> component = dms_component(model, *options.attribute);
-  if (!component) return component.error();
+  const Result<DmsComponent> found = dms_component(model, *options.attribute);
+  if (!found) return found.error();
+  const DmsModel& spline = *found->spline;
+  const std::size_t component = found->component;
   Result<DmsDrawing> out =
-      options.mode == DmsMode::kXray     ? xray_of(model, *component, options, look)
-      : options.mode == DmsMode::kVolume ? volume_of(model, *component, options, look)
-                                         : slice_of(model, *component, options, look);
+      options.mode == DmsMode::kXray     ? xray_of(spline, component, options, look)
+      : options.mode == DmsMode::kVolume ? volume_of(spline, component, options, look)
+                                         : slice_of(spline, component, options, look);
   if (!out) return out;
   out->view.box = domain_box(model);
   out->facts.attribute = *options.attribute;

@@ -22,7 +22,7 @@ std::string mode_name(DmsMode mode);  ///< "xray"
 struct DmsRenderOptions {
   std::optional<DmsMode> mode;
   std::optional<std::string> attribute;
-  std::optional<DmsCut> plane;
+  std::optional<DmsSlicePlane> plane;
   std::optional<std::vector<TransferNode>> transfer;
   std::optional<std::array<double, 2>> range;
   std::optional<Rational> level, within;

@@ -71,13 +71,13 @@ std::string take_space(const std::string& text, std::optional<bool>& in_domain) 
   return "";
 }
 
-std::string take_plane(const std::string& text, std::optional<DmsCut>& plane) {
+std::string take_plane(const std::string& text, std::optional<DmsSlicePlane>& plane) {
   auto numbers = exact_numbers(text, 4);
   if (!numbers) return "needs four numbers A,B,C,D, not " + text;
   std::vector<Rational>& n = *numbers;
   if (n[0].sign() == Sign::kZero && n[1].sign() == Sign::kZero && n[2].sign() == Sign::kZero)
     return "is no plane: " + text;
-  plane = DmsCut{{std::move(n[0]), std::move(n[1]), std::move(n[2])}, std::move(n[3])};
+  plane = DmsSlicePlane{{std::move(n[0]), std::move(n[1]), std::move(n[2])}, std::move(n[3])};
   return "";
 }
 

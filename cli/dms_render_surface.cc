@@ -21,6 +21,17 @@ std::variant<std::vector<DmsBoundaryPiece>, DmsOpenFace> pieces_of(const DmsMode
       model, TetrahedralComplex(model.tetrahedra, static_cast<std::uint32_t>(model.clouds.size())));
 }
 
+// Surfaces are of the geometry's splines: an attribute over a domain of its own has other pieces.
+Result<std::size_t> geometry_component(const DmsModel& model, const std::string& attribute) {
+  const Result<DmsComponent> found = dms_component(model, attribute);
+  if (!found) return found.error();
+  if (found->spline != &model)
+    return bad_argument("--attribute " + attribute +
+                        ": surfaces are not coloured or cut by attributes of the attribute domain; "
+                        "xray, volume and slice draw them");
+  return found->component;
+}
+
 // Puts the bytes of a scene into the view.
 Status add_scene(Scene scene, ViewKind kind, const PictureOptions& look, ModelView& view) {
   if (kind != ViewKind::kObj) {
@@ -56,7 +67,7 @@ Result<DmsDrawing> boundary_of(const DmsModel& model, const DmsRenderOptions& op
   how.in_solid = !options.in_domain.value_or(false);
   how.range = options.range;
   if (options.attribute) {
-    const Result<std::size_t> component = dms_component(model, *options.attribute);
+    const Result<std::size_t> component = geometry_component(model, *options.attribute);
     if (!component) return component.error();
     how.component = *component;
   }
@@ -100,7 +111,7 @@ Result<DmsIso> iso_of(const DmsModel& model, std::size_t component,
 Result<DmsDrawing> level_of(const DmsModel& model, const DmsRenderOptions& options, ViewKind kind,
                             const PictureOptions& look) {
   constexpr std::uint8_t kFaint = 50;
-  const Result<std::size_t> component = dms_component(model, *options.attribute);
+  const Result<std::size_t> component = geometry_component(model, *options.attribute);
   if (!component) return component.error();
   const Result<DmsIso> iso = iso_of(model, *component, options);
   if (!iso) return iso.error();

@@ -99,7 +99,7 @@ Result<DmsRayGrid> rays_of_picture(const Box3d& box, const PictureOptions& look)
   return grid_of(view, look, heights.most + margin, heights.most - heights.least + 2 * margin);
 }
 
-Result<DmsRayGrid> points_of_picture(const Box3d& box, const DmsCut& cut,
+Result<DmsRayGrid> points_of_picture(const Box3d& box, const DmsSlicePlane& cut,
                                      const PictureOptions& look) {
   PictureOptions across = look;
   across.view = against(cut.vector);
@@ -115,8 +115,8 @@ Result<DmsRayGrid> points_of_picture(const Box3d& box, const DmsCut& cut,
   return grid;
 }
 
-DmsCut middle_cut(const Box3d& box, const Point3d& view) {
-  DmsCut cut;
+DmsSlicePlane middle_cut(const Box3d& box, const Point3d& view) {
+  DmsSlicePlane cut;
   const DmsPoint lo = exact_point(box.lo), hi = exact_point(box.hi), direction = exact_point(view);
   DmsPoint middle;
   for (std::size_t k = 0; k < 3; ++k) {

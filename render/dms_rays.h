@@ -19,7 +19,7 @@ inline constexpr std::size_t kMostDmsPixels = std::size_t{1} << 24;
 Box3d domain_box(const DmsModel& model);
 
 /// vector . x = number
-struct DmsCut {
+struct DmsSlicePlane {
   DmsPoint vector;
   Rational number;
 };
@@ -33,10 +33,10 @@ Result<DmsRayGrid> rays_of_picture(const Box3d& box, const PictureOptions& look)
 /// The grid whose points origin + i right + j down are those of a plane at the centres of pixels, seen against the
 /// plane's vector; `along` is that direction. In a plane across an axis the points lie exactly.
 /// @error as rays_of_picture
-Result<DmsRayGrid> points_of_picture(const Box3d& box, const DmsCut& cut,
+Result<DmsRayGrid> points_of_picture(const Box3d& box, const DmsSlicePlane& cut,
                                      const PictureOptions& look);
 
 /// The plane through the middle of a box across the direction of view, toward the viewer.
-DmsCut middle_cut(const Box3d& box, const Point3d& view);
+DmsSlicePlane middle_cut(const Box3d& box, const Point3d& view);
 
 }  // namespace veritope

@@ -62,7 +62,7 @@ void draw_isolines(const std::vector<double>& values, const Bands& band, Image& 
 }  // namespace
 
 Result<DmsSlicePicture> draw_dms_slice(const DmsModel& model, std::size_t component,
-                                       const DmsCut& cut, const PictureOptions& look,
+                                       const DmsSlicePlane& cut, const PictureOptions& look,
                                        const DmsSliceOptions& options) {
   const Result<DmsRayGrid> grid = points_of_picture(domain_box(model), cut, look);
   if (!grid) return grid.error();

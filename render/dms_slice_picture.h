@@ -29,7 +29,7 @@ struct DmsSlicePicture {
 /// other than 0, low < high in the range.
 /// @error  as points_of_picture; kEmpty if no point of a pixel is in the domain; kNotFinite for values beyond binary64
 Result<DmsSlicePicture> draw_dms_slice(const DmsModel& model, std::size_t component,
-                                       const DmsCut& cut, const PictureOptions& look,
+                                       const DmsSlicePlane& cut, const PictureOptions& look,
                                        const DmsSliceOptions& options);
 
 }  // namespace veritope

@@ -8,6 +8,7 @@
 #include "robust/base/check.h"
 #include "solids/dms/dms_evaluator.h"
 #include "solids/dms/dms_piece.h"
+#include "solids/dms/dms_values.h"
 
 namespace veritope {
 namespace {

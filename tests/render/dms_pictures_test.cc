@@ -98,7 +98,7 @@ TEST(DmsRays, PointsLieInPlanesAcrossAxesExactly) {
   EXPECT_EQ(grid->right[2], 0);
   EXPECT_EQ(grid->down[2], 0);
   EXPECT_GT(grid->along[2], 0) << "seen against the vector of the plane";
-  const DmsCut cut = middle_cut(box, {1, 2, 3});
+  const DmsSlicePlane cut = middle_cut(box, {1, 2, 3});
   EXPECT_EQ(cut.number, -(Rational(1) + Rational(1) +
                           Rational(3) * (Rational(1) + Rational::from_double(-0.3)) / Rational(2)));
 }

@@ -139,7 +139,7 @@ RunCommand declare_dms_refine(OptionSet& set) {
   set.option(
       "--max-change", "E", [o](const std::string& t) { return take_max_change(t, o->max_change); },
       "write only if each number is proved to change by at most\nE; status 3 if not");
-  declare_json(set, o->json, "write what was cut, and the bounds of the change");
+  declare_json(set, o->json, "write what was cut");
   declare_reading(set, o->reading);
   set.hide("--as-indexed");
   set.rule([o]() -> std::string {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // dms_jacobian.cc: J1 to J3 of docs/certificates/dms-solid.md.
 #include "dms_pieces.h"
+#include "dms_polynomial.h"
 
 namespace {
 
@@ -25,7 +26,7 @@ struct DmsJacobian {
   const DmsNear& near;
   Units* units;
   std::unordered_map<uint64_t, std::vector<Big>> matrices;  // G, times a positive number
-  std::unique_ptr<DmsInterpolation> interpolation;
+  std::unique_ptr<DmsPolynomials> polynomials;
   uint64_t leaf_number = 0;
 
   const std::vector<Big>& matrix(const DmsTerm& term) {
@@ -75,7 +76,7 @@ struct DmsJacobian {
     const std::vector<DmsTerm> terms = near.not_excluded(DmsBox(corners), &sides, units);
     if (leaf.is_polynomial) {
       near.check_cuts(terms, &sides, units, "a cut is in the way, in leaf", leaf_number);
-      check_polynomial(corners.data(), r, terms);
+      check_polynomial(corners, r, terms);
     } else {
       for (const DmsTerm& term : terms)
         require(dms_is_positive(r, matrix(term)), "J1", "R G is not positive, in leaf",
@@ -83,17 +84,15 @@ struct DmsJacobian {
     }
     ++leaf_number;
   }
-  void check_polynomial(const DmsPoint* const* corners, const std::vector<Big>& r,
+  void check_polynomial(const std::vector<const DmsPoint*>& corners, const std::vector<Big>& r,
                         const std::vector<DmsTerm>& terms) {
     const int n = model.file.n;
-    if (!interpolation) interpolation.reset(new DmsInterpolation(n, 4));
-    const std::vector<Ratio> b = interpolation->coefficients(corners, [&](const DmsPoint& u) {
-      return DmsPlace(model, u, nullptr).value(terms, units);
-    });
+    if (!polynomials) polynomials.reset(new DmsPolynomials(n, 4));
+    const std::vector<Ratio> b = polynomials->coefficients(model, corners, nullptr, terms, units);
     for (const DmsIndex& g : model.gammas) {
       const Ratio* image[4];
       for (size_t m = 0; m < 4; ++m) image[m] = &b[3 * dms_place(dms_raised(g, m), n)];
-      require(dms_is_positive(r, dms_linear_part(corners, image)), "J2",
+      require(dms_is_positive(r, dms_linear_part(corners.data(), image)), "J2",
               "R J is not positive, in leaf", leaf_number);
     }
   }

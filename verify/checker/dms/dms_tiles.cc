@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // dms_tiles.cc: T1 to T3 of docs/certificates/dms-solid.md.
 #include "dms_pieces.h"
+#include "dms_polynomial.h"
 
 namespace {
 
@@ -75,7 +76,7 @@ struct DmsTiles {
 
   // T2 and the coefficients for T3.
   std::vector<Ratio> check_tile(size_t number, const DmsNear& near,
-                                const DmsInterpolation& interpolation) const {
+                                const DmsPolynomials& polynomials) const {
     const DmsTile& tile = all[number].second;
     const std::vector<const DmsPoint*> corners = {&point(tile.corner[0]), &point(tile.corner[1]),
                                                   &point(tile.corner[2])};
@@ -83,9 +84,7 @@ struct DmsTiles {
     const std::vector<DmsTerm> terms = terms_on_triangle(near, corners, tile.planes, units, number);
     units->id = "T3";
     const DmsPoint inside = dms_middle(model, model.faces[all[number].first].tetrahedron);
-    return interpolation.coefficients(corners.data(), [&](const DmsPoint& u) {
-      return DmsPlace(model, u, &inside).value(terms, units);
-    });
+    return polynomials.coefficients(model, corners, &inside, terms, units);
   }
 };
 
@@ -101,9 +100,9 @@ DmsNumbers check_dms_surface(const DmsModel& model, const DmsBody& body, uint64_
     tiles.check_face(f, first, last);
   }
   const DmsNear near(model);
-  const DmsInterpolation interpolation(model.file.n, 3);
+  const DmsPolynomials polynomials(model.file.n, 3);
   std::vector<std::vector<Ratio>> triangles;
   for (size_t i = 0; i < tiles.all.size(); ++i)
-    triangles.push_back(tiles.check_tile(i, near, interpolation));
+    triangles.push_back(tiles.check_tile(i, near, polynomials));
   return check_dms_boxes(triangles, model.file.n, body.surface, file_bytes, "T3");
 }

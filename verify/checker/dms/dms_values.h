@@ -21,6 +21,7 @@ struct DmsPlace {
   std::vector<Ratio> derivative(const std::vector<DmsTerm>& terms, Units* units);
 
  private:
+  friend struct DmsSum;                    // the same with polynomials
   typedef std::array<uint32_t, 3> Triple;  // of points, ascending
   struct Hash {
     size_t operator()(const Triple& t) const {

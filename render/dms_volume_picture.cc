@@ -176,7 +176,7 @@ Result<DmsVolumePicture> draw_dms_volume(const DmsModel& model, std::size_t comp
 }
 
 TransferFunction default_transfer(const DmsModel& model, std::size_t component) {
-  constexpr double kMost = 12;  // for the diagonal
+  constexpr double kLeast = 1, kMost = 24;  // for the diagonal
   constexpr int kParts = 4;
   double low = std::numeric_limits<double>::max(), high = -low;
   for (std::size_t c = 0; c < model.num_control(); ++c) {
@@ -193,7 +193,7 @@ TransferFunction default_transfer(const DmsModel& model, std::size_t component) 
     nodes.push_back(
         {low + share * (high - low),
          {static_cast<double>(c.red), static_cast<double>(c.green), static_cast<double>(c.blue)},
-         kMost * share * share / diagonal});
+         (kLeast + (kMost - kLeast) * share * share) / diagonal});
   }
   return TransferFunction(std::move(nodes));
 }

@@ -27,8 +27,8 @@ Result<DmsVolumePicture> draw_dms_volume(const DmsModel& model, std::size_t comp
                                          const TransferFunction& transfer,
                                          const PictureOptions& look, std::optional<double> step);
 
-/// From the least to the greatest coefficient of the component: the colours of render/colour_map.h, from no extinction
-/// up to 12 for the diagonal of the domain's box, so that high values show through low ones.
+/// From the least to the greatest coefficient of the component: the colours of render/colour_map.h, with an extinction
+/// from 1 to 24 for the diagonal of the domain's box, so that the domain shows, and high values through low ones.
 TransferFunction default_transfer(const DmsModel& model, std::size_t component);
 
 }  // namespace veritope

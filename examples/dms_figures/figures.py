@@ -68,7 +68,7 @@ class Figures:
 
     # A torus with six corners, and the solid after control points were moved.
     def figure2(self):
-        self.make("ring.vdms", "ring2.vdms", 2)
+        self.make("ring.vdms", "ring2.vdms", 2, "collapsed")
         self.picture("2a", "ring2.vdms", ABOVE, "--attribute", "height", *SIZE)
         lift = lambda *at: {"at": list(at), "by": ["0", "0", "3"]}
         self.edit("ring2.vdms", "ring_moved.vdms", [
@@ -109,11 +109,12 @@ class Figures:
 
     # Attributes of the torus: a half of its middle line, and a ball.
     def figure5(self):
-        self.make("ring.vdms", "ring2.vdms", 2)
+        self.make("ring.vdms", "ring2.vdms", 2, "collapsed")
         ball = {"ellipsoid": {"centre": ["-3", "-7/4", "0"], "axes": [["1/2", "0", "0"], ["0", "1/2", "0"], ["0", "0", "1/2"]]}, "over": ["2"], "under": ["1", "1", "1"]}
         self.edit("ring2.vdms", "ring_made.vdms", [{"move": "skeleton", "attribute": "density", "skeletons": [
             polyline([(4, 0, 0), (2, "7/2", 0), (-2, "7/2", 0)]), ball]}])
-        self.picture("5a", "ring_made.vdms", "--mode", "volume", "--attribute", "density", ABOVE, *SQUARE)
+        self.picture("5a", "ring_made.vdms", "--mode", "volume", "--attribute", "density", ABOVE, "--transfer",
+                     "0.02:59,82,139,0.08;0.2:59,82,139,0.1;0.5:94,201,98,1;1:253,231,37,9", *SQUARE)
         self.picture("5_xray", "ring_made.vdms", "--mode", "xray", "--attribute", "density", ABOVE, *SQUARE)
         self.picture("5_slice", "ring_made.vdms", "--mode", "slice", "--attribute", "density", "--plane", "0,0,1,0", "--isolines", 9, *SIZE)
         self.picture("5b", "ring_made.vdms", "--mode", "iso", "--attribute", "density", "--level", "1/2", "--within", "1/2", ABOVE, *SIZE, allowed=(0, 3))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// render/dms_volume_picture.h: volume rendering of an attribute in the domain of a simplex-spline solid, by ray casting.
+// render/dms_volume_picture.h: volume rendering of an attribute in the domain of a simplex-spline solid: ray casting.
 // Source: [HHQ04] section 6.1.  Design: docs/design/0101-pictures-of-simplex-spline-solids.md.
 #pragma once
 #include <cstddef>

@@ -25,10 +25,10 @@ struct SceneSurface {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Paint> paints;  ///< one for each triangle, or a single one for all
   std::string name = {};      ///< of its part in files for viewers
-  /// Of smooth surfaces: for each point the direction of its normal, of any length and either sign. In pictures light is
-  /// then linear between points instead of constant on triangles.
+  /// The normals of a smooth surface: for each point a direction of any length and either sign. In pictures the light
+  /// is then linear between points instead of constant on triangles.
   std::vector<Point3d> normals = {};
-  /// For each point a colour in the place of those of paints; linear between points in pictures. Empty: none. Files for viewers have neither.
+  /// For each point a colour instead of those of paints, linear between points in pictures. Viewers' files have neither.
   std::vector<Colour> colours = {};
 };
 

@@ -7,8 +7,8 @@
 
 namespace veritope {
 
-/// Of light along a path of length h through this value, exp(-extinction h) passes; what does not is replaced by light
-/// of the colour.
+/// The share exp(-extinction h) of light passes a path of length h through this value; the rest is replaced by light of
+/// the colour.
 struct TransferNode {
   double value = 0;
   std::array<double, 3> colour{};  ///< red, green, blue from 0 to 255

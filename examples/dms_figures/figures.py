@@ -19,7 +19,8 @@ ABOVE = "--view=-1,2,-3"
 
 def polyline(points, weight="1", width=4):
     """High within 1 / sqrt(width) of the line: 1 / (1 + width s + (width s)^2), s the squared distance."""
-    return {"polyline": [[str(x) for x in p] for p in points], "over": ["1"], "under": ["1", str(width), str(width**2)], "weight": weight}
+    return {"polyline": [[str(x) for x in p] for p in points], "over": ["1"],
+            "under": ["1", str(width), str(width**2)], "weight": weight}
 
 
 class Figures:
@@ -30,7 +31,8 @@ class Figures:
         subprocess.run([sys.executable, HERE / "make_models.py", folder], check=True)
 
     def run(self, *arguments, allowed=(0,)):
-        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, check=False)
+        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder,
+                              check=False)
         if done.returncode not in allowed:
             sys.exit(f"{' '.join(map(str, arguments))}: status {done.returncode}\n{done.stdout}{done.stderr}")
         return done.stdout
@@ -43,12 +45,14 @@ class Figures:
         self.run("dms", "edit", model, "moves.json", "-o", out)
 
     def picture(self, name, model, *options, allowed=(0,)):
-        print(f"{name}: {self.run('render', model, '-o', self.pictures / (name + '.png'), *options, allowed=allowed).strip()}", flush=True)
+        said = self.run("render", model, "-o", self.pictures / f"{name}.png", *options, allowed=allowed)
+        print(f"{name}: {said.strip()}", flush=True)
 
     def fit(self, data, domain, out, *options):
-        report = json.loads(self.run("dms", "fit", data, "-o", out, "--domain", domain, "--degree", 2, *options, "--json", "-", allowed=(0, 3)))
-        print(f"{out}: {report['points']} points, {report['tetrahedra']} tetrahedra, {report['control_points']} control points, "
-              f"mean square error {report['attribute_mse'][0]:.3g}, greatest error {report['max_error']}", flush=True)
+        report = json.loads(self.run("dms", "fit", data, "-o", out, "--domain", domain, "--degree", 2, *options,
+                                     "--json", "-", allowed=(0, 3)))
+        print(f"{out}: {report['points']} points, {report['tetrahedra']} tetrahedra, "
+              f"{report['control_points']} control points, mean square error {report['attribute_mse'][0]:.3g}, greatest error {report['max_error']}", flush=True)
 
     def show(self, figure):
         getattr(self, f"figure{figure}")()
@@ -57,14 +61,18 @@ class Figures:
     def figure1(self):
         self.make("one.vdms", "one3.vdms", 3)
         self.edit("one3.vdms", "one3_moved.vdms", [
-            {"move": "control", "at": [0, 1, 2], "by": ["0", "0", "-1/2"]}, {"move": "control", "at": [1, 2, 3], "by": ["1/3", "1/3", "1/3"]},
-            {"move": "control", "at": [1, 1, 2], "by": ["1/4", "0", "-1/4"]}, {"move": "control", "at": [3, 3, 3], "by": ["0", "0", "1/3"]}])
+            {"move": "control", "at": [0, 1, 2], "by": ["0", "0", "-1/2"]},
+            {"move": "control", "at": [1, 2, 3], "by": ["1/3", "1/3", "1/3"]},
+            {"move": "control", "at": [1, 1, 2], "by": ["1/4", "0", "-1/4"]},
+            {"move": "control", "at": [3, 3, 3], "by": ["0", "0", "1/3"]}])
         self.picture("1a", "one3_moved.vdms", *SIZE)
-        self.edit("one3.vdms", "basis.vdms", [{"move": "coefficient", "at": [0, 1, 2], "attribute": "basis", "to": "1"}])
+        self.edit("one3.vdms", "basis.vdms",
+                  [{"move": "coefficient", "at": [0, 1, 2], "attribute": "basis", "to": "1"}])
         self.picture("1_basis_volume", "basis.vdms", "--mode", "volume", "--attribute", "basis", "--transfer",
                      "0:68,1,84,0;0.05:59,82,139,1;0.1:33,145,140,4;0.15:94,201,98,20;0.2:253,231,37,60", *SQUARE)
         self.picture("1_basis_xray", "basis.vdms", "--mode", "xray", "--attribute", "basis", *SQUARE)
-        self.picture("1_basis_slice", "basis.vdms", "--mode", "slice", "--attribute", "basis", "--plane", "0,0,1,1/10", "--isolines", 9, *SIZE)
+        self.picture("1_basis_slice", "basis.vdms", "--mode", "slice", "--attribute", "basis", "--plane", "0,0,1,1/10",
+                     "--isolines", 9, *SIZE)
 
     # A torus with six corners, and the solid after control points were moved.
     def figure2(self):
@@ -82,7 +90,8 @@ class Figures:
         self.picture("3a", "five2.vdms", ABOVE, "--attribute", "along", *SIZE)
         self.edit("five2.vdms", "five_bent.vdms", [
             {"move": "lattice", "box": [["-3", "-3", "-1"], ["21", "6", "1"]], "degree": [2, 1, 1], "counts": [5, 2, 2],
-             "nodes": [{"at": [i, j, k], "by": ["0", "0", str(z)]} for i, z in ((0, 6), (2, -4), (4, 6)) for j in range(2) for k in range(2)]}])
+             "nodes": [{"at": [i, j, k], "by": ["0", "0", str(z)]}
+                       for i, z in ((0, 6), (2, -4), (4, 6)) for j in range(2) for k in range(2)]}])
         self.picture("3b", "five_bent.vdms", ABOVE, "--attribute", "along", *SIZE)
 
     # A conforming domain of a mesh, materials by skeletons: colours of a slice, and volume rendering.
@@ -110,20 +119,24 @@ class Figures:
     # Attributes of the torus: a half of its middle line, and a ball.
     def figure5(self):
         self.make("ring.vdms", "ring2.vdms", 2, "collapsed")
-        ball = {"ellipsoid": {"centre": ["-3", "-7/4", "0"], "axes": [["1/2", "0", "0"], ["0", "1/2", "0"], ["0", "0", "1/2"]]}, "over": ["2"], "under": ["1", "1", "1"]}
+        axes = [["1/2", "0", "0"], ["0", "1/2", "0"], ["0", "0", "1/2"]]
+        ball = {"ellipsoid": {"centre": ["-3", "-7/4", "0"], "axes": axes}, "over": ["2"], "under": ["1", "1", "1"]}
         self.edit("ring2.vdms", "ring_made.vdms", [{"move": "skeleton", "attribute": "density", "skeletons": [
             polyline([(4, 0, 0), (2, "7/2", 0), (-2, "7/2", 0)]), ball]}])
         self.picture("5a", "ring_made.vdms", "--mode", "volume", "--attribute", "density", ABOVE, "--transfer",
                      "0.02:59,82,139,0.08;0.2:59,82,139,0.1;0.5:94,201,98,1;1:253,231,37,9", *SQUARE)
         self.picture("5_xray", "ring_made.vdms", "--mode", "xray", "--attribute", "density", ABOVE, *SQUARE)
-        self.picture("5_slice", "ring_made.vdms", "--mode", "slice", "--attribute", "density", "--plane", "0,0,1,0", "--isolines", 9, *SIZE)
-        self.picture("5b", "ring_made.vdms", "--mode", "iso", "--attribute", "density", "--level", "1/2", "--within", "1/2", ABOVE, *SIZE, allowed=(0, 3))
+        self.picture("5_slice", "ring_made.vdms", "--mode", "slice", "--attribute", "density", "--plane", "0,0,1,0",
+                     "--isolines", 9, *SIZE)
+        self.picture("5b", "ring_made.vdms", "--mode", "iso", "--attribute", "density", "--level", "1/2",
+                     "--within", "1/2", ABOVE, *SIZE, allowed=(0, 3))
 
     # Data in a cube: the domain, fits with fixed and with free knots, and what they show.
     def figure7(self):
         self.fit("shell.txt", "cube.vdms", "shell.vdms", "--knots", "fixed", "--max-tetrahedra", 400)
         self.picture("7b", "shell.vdms", "--mode", "volume", "--attribute", "a", *SQUARE)
-        self.picture("7_slice", "shell.vdms", "--mode", "slice", "--attribute", "a", "--plane", "0,0,1,1/2", "--isolines", 9, *SIZE)
+        self.picture("7_slice", "shell.vdms", "--mode", "slice", "--attribute", "a", "--plane", "0,0,1,1/2",
+                     "--isolines", 9, *SIZE)
 
     def figure8(self):
         self.run("dms", "domain", "cross_points.txt", "-o", "hull.vdms", "--hull")
@@ -137,15 +150,19 @@ class Figures:
 
     def figure11(self):
         self.fit("waves.txt", "cube.vdms", "waves.vdms", "--knots", "fixed", "--max-tetrahedra", 400)
-        self.picture("11b", "waves.vdms", "--mode", "iso", "--attribute", "a", "--level", "1/2", "--within", "1/8", *SIZE, allowed=(0, 3))
+        self.picture("11b", "waves.vdms", "--mode", "iso", "--attribute", "a", "--level", "1/2", "--within", "1/8",
+                     *SIZE, allowed=(0, 3))
 
     # The isosurface before and after cells were cut.
     def figure13(self):
         self.make("one.vdms", "one2.vdms", 3, "collapsed")
-        self.edit("one2.vdms", "level.vdms", [{"move": "skeleton", "attribute": "basis", "skeletons": [{"point": ["0", "0", "0"], "over": ["1"], "under": ["1", "8"]}]},
-                                              {"move": "coefficient", "at": [1, 2, 3], "attribute": "basis", "to": "2"}])
+        near = {"point": ["0", "0", "0"], "over": ["1"], "under": ["1", "8"]}
+        self.edit("one2.vdms", "level.vdms", [
+            {"move": "skeleton", "attribute": "basis", "skeletons": [near]},
+            {"move": "coefficient", "at": [1, 2, 3], "attribute": "basis", "to": "2"}])
         for name, within in (("13a", "2"), ("13_half", "1/2"), ("13b", "1/8")):
-            self.picture(name, "level.vdms", "--mode", "iso", "--attribute", "basis", "--level", "1/2", "--within", within, *SIZE, allowed=(0, 3))
+            self.picture(name, "level.vdms", "--mode", "iso", "--attribute", "basis", "--level", "1/2",
+                         "--within", within, *SIZE, allowed=(0, 3))
 
 
 def float_of(text):

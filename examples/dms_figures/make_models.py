@@ -14,7 +14,8 @@ ORDERS = list(itertools.permutations(range(3)))
 
 def determinant(a, b, c, d):
     u, v, w = ([q - p for p, q in zip(a, x)] for x in (b, c, d))
-    return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]))
+    return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
+            u[2] * (v[0] * w[1] - v[1] * w[0]))
 
 
 class Domain:
@@ -44,9 +45,10 @@ class Domain:
         """The identity of degree 1; attributes: name -> function of a place."""
         attributes = attributes or {}
         text = lambda x: str(F(x).limit_denominator(1 << 20)) if isinstance(x, float) else str(x)
-        document = {"format": "veritope-dms-1", "degree": 1, "attributes": list(attributes), "vertices": [[[str(x) for x in p]] for p in self.places],
-                    "tetrahedra": self.tetrahedra,
-                    "control": [{"at": [i], "value": [str(x) for x in p] + [text(f(p)) for f in attributes.values()]} for i, p in enumerate(self.places)]}
+        document = {"format": "veritope-dms-1", "degree": 1, "attributes": list(attributes),
+                    "vertices": [[[str(x) for x in p]] for p in self.places], "tetrahedra": self.tetrahedra,
+                    "control": [{"at": [i], "value": [str(x) for x in p] + [text(f(p)) for f in attributes.values()]}
+                                for i, p in enumerate(self.places)]}
         path.write_text(json.dumps(document))
 
 

@@ -28,7 +28,7 @@ struct SceneSurface {
   /// The normals of a smooth surface: for each point a direction of any length and either sign. In pictures the light
   /// is then linear between points instead of constant on triangles.
   std::vector<Point3d> normals = {};
-  /// For each point a colour instead of those of paints, linear between points in pictures. Viewers' files have neither.
+  /// For each point a colour instead of those of paints, linear between points in pictures; viewers' files have none.
   std::vector<Colour> colours = {};
 };
 

@@ -52,7 +52,8 @@ class Figures:
         report = json.loads(self.run("dms", "fit", data, "-o", out, "--domain", domain, "--degree", 2, *options,
                                      "--json", "-", allowed=(0, 3)))
         print(f"{out}: {report['points']} points, {report['tetrahedra']} tetrahedra, "
-              f"{report['control_points']} control points, mean square error {report['attribute_mse'][0]:.3g}, greatest error {report['max_error']}", flush=True)
+              f"{report['control_points']} control points, mean square error {report['attribute_mse'][0]:.3g}, "
+              f"greatest error {report['max_error']}", flush=True)
 
     def show(self, figure):
         getattr(self, f"figure{figure}")()
@@ -96,7 +97,7 @@ class Figures:
 
     # A conforming domain of a mesh, materials by skeletons: colours of a slice, and volume rendering.
     def figure4(self):
-        part = HERE.parent / "part_with_hole.stl"
+        part = HERE.parent / "sound_part.stl"
         self.run("dms", "domain", part, "-o", "part.vdms")
         document = json.loads((self.folder / "part.vdms").read_text())
         document["attributes"] = ["material"]

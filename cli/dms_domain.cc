@@ -10,6 +10,7 @@
 
 #include "cli/dms_domain_input.h"
 #include "cli/dms_domain_mesh.h"
+#include "cli/dms_domain_refinement.h"
 #include "cli/dms_verbs.h"
 #include "cli/point_source.h"
 #include "io/dms/write_dms.h"
@@ -32,7 +33,8 @@ struct DmsDomainOptions {
   std::string input;
   std::optional<std::string> output, json;
   bool is_hull = false, no_check = false;
-  std::optional<std::uint64_t> max_vertices;
+  std::optional<std::uint64_t> max_vertices, max_points;
+  RefineLimits limits;
   ModelReadOptions reading;
 };
 
@@ -75,7 +77,7 @@ class DmsDomainRun {
     const ExitCode exit = *kind == DomainInput::kPoints ? take_points()
                           : *kind == DomainInput::kMesh ? take_mesh()
                                                         : take_tetrahedra();
-    if (exit != kExitValid) return exit;
+    if (!is_written_) return exit;
     report_.seconds = watch.lap();
     if (*options_.output != "-" && options_.json != "-") out_.write(fold(text(), verdict_width()));
     if (!options_.json) return exit;
@@ -112,7 +114,7 @@ class DmsDomainRun {
     if (exit != kExitValid) return exit;
     report_.points = domain.from_mesh;
     report_.steiner = domain.steiner_on_mesh + domain.steiner_inside;
-    return write_domain(domain.model);
+    return take_domain(domain.model, domain.from_mesh);
   }
 
   ExitCode take_tetrahedra() {
@@ -148,16 +150,39 @@ class DmsDomainRun {
     const Result<DmsModel> model = identity_dms(places, tetrahedra);
     if (!model) return refuse(model.error());
     const DmsDefects defects = find_dms_defects(*model, 1);
-    if (defects.count == 0) return write_domain(*model);
+    if (defects.count == 0) return take_domain(*model, model->clouds.size());
     complain(harmless(options_.input + ": " + fault_name(defects.first[0].fault) + ": " +
                       to_string(defects.first[0])));
     return kExitInvalid;
+  }
+
+  // Refines the domain if a limit is given. @param num_fixed  vertices of the input, the first ones
+  ExitCode take_domain(const DmsModel& domain, std::size_t num_fixed) {
+    RefineLimits limits = options_.limits;
+    if (!has_limit(limits)) return write_domain(domain);
+    limits.num_fixed = num_fixed;
+    if (options_.max_points) limits.max_points = *options_.max_points;
+    const Result<RefinedDomain> refined = refine_domain(domain, limits);
+    if (!refined) return refuse(refined.error());
+    report_.refinement = describe_refinement(limits, *refined);
+    report_.steiner += report_.refinement->inserted - report_.refinement->taken_away;
+    report_.is_delaunay = report_.is_delaunay && options_.is_hull && is_delaunay(refined->model);
+    const ExitCode exit = write_domain(refined->model);
+    return exit == kExitValid && refined->end != RefineEnd::kLimits ? kExitUndecided : exit;
+  }
+
+  static bool is_delaunay(const DmsModel& hull) {
+    std::vector<ExactPoint3> points;
+    for (const DmsCloud& cloud : hull.clouds) points.emplace_back(cloud[0]);
+    return is_locally_delaunay(
+        points, TetrahedralComplex(hull.tetrahedra, static_cast<std::uint32_t>(points.size())));
   }
 
   ExitCode write_domain(const DmsModel& model) {
     const std::string bytes = write_dms(model);
     if (const Status written = write_output(*options_.output, bytes, out_); !written)
       return fail(written.error());
+    is_written_ = true;
     report_.input = options_.input;
     report_.path = *options_.output;
     report_.sha256 =
@@ -200,12 +225,13 @@ class DmsDomainRun {
            (report_.removed.empty()
                 ? ""
                 : ", " + std::to_string(report_.removed.size()) + " of the hull removed") +
-           "\n";
+           "\n" + (report_.refinement ? dms_refinement_text(report_) : "");
   }
 
   const DmsDomainOptions& options_;
   StandardOutput& out_;
   DmsDomainReport report_;
+  bool is_written_ = false;
 };
 
 }  // namespace
@@ -222,11 +248,14 @@ RunCommand declare_dms_domain(OptionSet& set) {
            "their middles near points");
   set.number("--max-vertices", o->max_vertices, {4, kMaxDmsVertices},
              "limit: vertices that cuts by a mesh may make (1000000)");
+  declare_refinement(set, o->limits, o->max_points);
   set.flag("--no-check", o->no_check, "do not run veritope-check on a mesh");
   declare_json(set, o->json, "write what was made");
   declare_reading(set, o->reading);
   set.hide("--as-indexed");
   set.rule([o]() -> std::string {
+    if (o->max_points && !has_limit(o->limits))
+      return "--max-points needs --max-volume or --max-radius-edge";
     return o->output ? "" : "-o OUT.vdms is required, the file of the model";
   });
   return [o](StandardOutput& out) { return DmsDomainRun(*o, out).run(); };

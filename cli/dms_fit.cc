@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "cli/dms_verbs.h"
 #include "cli/line_reader.h"
@@ -14,18 +16,22 @@
 #include "report/dms_fit_report.h"
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
+#include "solids/dms/domain/auto_domain.h"
+#include "solids/dms/domain/gradient_splits.h"
 
 namespace veritope::cli {
 namespace {
 
 constexpr std::size_t kMaxDataPoints = std::size_t{1} << 22;
 constexpr std::size_t kDefaultTetrahedra = 5000;  // with a tolerance
+constexpr double kSplitThreshold = 0.25;          // of the greatest deviation of gradients
 
 struct DmsFitChoice {
   std::string data;
   std::optional<std::string> output, domain, json;
   std::optional<int> degree;
   std::optional<std::uint64_t> max_tetrahedra;
+  bool is_auto = false;
   DmsFitOptions fit;
   ModelReadOptions reading;
 };
@@ -88,28 +94,17 @@ class DmsFitRun {
   DmsFitRun(const DmsFitChoice& options, StandardOutput& out) : options_(options), out_(out) {}
 
   ExitCode run() {
-    if (const Status status =
-            try_dms_outputs({*options_.domain, options_.data}, options_.output, options_.json);
-        !status)
+    std::vector<std::string> inputs{options_.data};
+    if (options_.domain) inputs.push_back(*options_.domain);
+    if (const Status status = try_dms_outputs(inputs, options_.output, options_.json); !status)
       return fail(status.error());
     Stopwatch watch;
-    const Result<DmsFile> domain = read_dms_file(*options_.domain, options_.reading);
-    if (!domain) return fail(domain.error());
-    report_.path = *options_.domain;
-    report_.sha256 = domain->sha256;
-    report_.bytes = domain->bytes;
     report_.data = options_.data;
     report_.output = *options_.output;
     report_.tolerance = options_.fit.tolerance;
-    report_.defects = find_dms_defects(domain->model, kMaxListed);
-    ExitCode exit = kExitInvalid;
-    if (report_.defects.count > 0) {
-      complain(harmless(dms_refusal(report_.path, report_.defects)));
-    } else {
-      const Result<ExitCode> fitted = fit(domain->model);
-      if (!fitted) return fail(fitted.error());
-      exit = *fitted;
-    }
+    const Result<ExitCode> fitted = options_.is_auto ? fit_auto() : fit_file();
+    if (!fitted) return fail(fitted.error());
+    const ExitCode exit = *fitted;
     report_.seconds = watch.lap();
     if (!options_.json) return exit;
     const Status written = write_output(*options_.json, dms_fit_json(report_), out_);
@@ -119,18 +114,70 @@ class DmsFitRun {
  private:
   static constexpr std::size_t kMaxListed = 100;
 
-  Result<ExitCode> fit(const DmsModel& domain) {
+  Result<ExitCode> fit_file() {
+    const Result<DmsFile> domain = read_dms_file(*options_.domain, options_.reading);
+    if (!domain) return domain.error();
+    report_.domain = {*options_.domain, domain->sha256, domain->bytes};
+    report_.defects = find_dms_defects(domain->model, kMaxListed);
+    if (report_.defects.count > 0) {
+      complain(harmless(dms_refusal(*options_.domain, report_.defects)));
+      return kExitInvalid;
+    }
     const Result<DmsData> data = read_data(options_.data, options_.reading.limits);
     if (!data) return data.error();
+    return fit(domain->model, *data, *options_.domain);
+  }
+
+  // A domain of the data, with more vertices where their gradients differ if tetrahedra may be cut.
+  Result<ExitCode> fit_auto() {
+    const Result<DmsData> data = read_data(options_.data, options_.reading.limits);
+    if (!data) return data.error();
+    std::vector<ExactPoint3> points;
+    for (const DmsPoint& p : data->points) points.emplace_back(p);
+    Result<AutoDomain> made = auto_domain(points, {});
+    if (!made) {
+      complain(harmless(options_.data + ": " + made.error().message));
+      return made.error().code == Code::kBadArgument ? kExitInvalid : kExitUnreadable;
+    }
+    DmsFitAuto& out = report_.automatic.emplace();
+    out.kind = auto_domain_name(made->kind);
+    out.spacing = made->spacing;
+    out.vertices = made->model.clouds.size();
+    out.tetrahedra = made->model.tetrahedra.size();
+    if (options_.max_tetrahedra || options_.fit.tolerance) {
+      Result<GradientSplits> split = split_domain(*data, points, *made);
+      if (!split) return split.error();
+      out.gradient_splits = split->inserted;
+      made->model = std::move(split->model);
+    }
+    return fit(made->model, *data, options_.data);
+  }
+  Result<GradientSplits> split_domain(const DmsData& data, const std::vector<ExactPoint3>& points,
+                                      const AutoDomain& domain) const {
+    std::vector<std::array<double, 3>> all(points.size() * data.num_attributes);
+    for (std::size_t a = 0; a < data.num_attributes; ++a) {
+      std::vector<double> values;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        values.push_back(nearest_double(data.value(i, a)));
+      const auto gradients = approx_gradients(points, domain.data_tetrahedra, values);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        all[i * data.num_attributes + a] = gradients[i];
+    }
+    return split_by_gradients(domain.model, points, all, kSplitThreshold,
+                              domain.model.clouds.size(),
+                              options_.max_tetrahedra.value_or(kDefaultTetrahedra) / 2);
+  }
+
+  Result<ExitCode> fit(const DmsModel& domain, const DmsData& data, const std::string& name) {
     DmsFitOptions options = options_.fit;
     options.degree = *options_.degree;
     if (options_.max_tetrahedra)
       options.max_tetrahedra = *options_.max_tetrahedra;
     else if (options.tolerance)
       options.max_tetrahedra = std::max(kDefaultTetrahedra, domain.tetrahedra.size());
-    Result<DmsFit> result = fit_dms(domain, *data, options);
+    Result<DmsFit> result = fit_dms(domain, data, options);
     if (!result) {
-      complain(harmless(report_.path + ": " + result.error().message));
+      complain(harmless(name + ": " + result.error().message));
       return result.error().code == Code::kBadArgument ? kExitInvalid : kExitUnreadable;
     }
     report_.fit = std::move(*result);
@@ -149,7 +196,9 @@ class DmsFitRun {
 
 std::string fit_contradiction(const DmsFitChoice& o) {
   if (!o.output) return "-o OUT.vdms is required, the file of the model";
-  if (!o.domain) return "--domain D.vdms is required, the identity on a domain";
+  if (!o.domain && !o.is_auto)
+    return "--domain D.vdms is required, the identity on a domain, or --auto";
+  if (o.domain && o.is_auto) return "--auto makes the domain, so it excludes --domain";
   if (!o.degree) return "--degree N is required, from 1 to 9";
   if (o.domain == "-" && o.data == "-") return "only one of DATA and D can be standard input";
   return "";
@@ -162,6 +211,7 @@ RunCommand declare_dms_fit(OptionSet& set) {
   declare_plain_file(set, "DATA", o->data, "x y z and attributes a line; - is standard input");
   set.output("-o,--output", o->output, "write the model, .vdms; - is standard output");
   set.text("--domain", o->domain, "a model .vdms of degree 1: the identity on its domain", "D");
+  set.flag("--auto", o->is_auto, "make the domain from DATA");
   set.number("--degree", o->degree, {1, kMaxDmsDegree}, "the degree, 1 to 9");
   set.length("--tolerance", "E", o->fit.tolerance,
              "cut tetrahedra until the mean square error of each\nattribute is at most E");

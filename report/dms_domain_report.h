@@ -22,6 +22,22 @@ struct DmsDomainRemoval {
   std::string reason;
 };
 
+/// Refinement, if a limit was given.
+struct DmsDomainRefinement {
+  std::optional<std::string> max_volume, max_radius_edge;  ///< "p/q"
+  std::uint64_t max_points = 0, inserted = 0, taken_away = 0;
+  std::string end;
+  std::uint64_t over_volume = 0, over_radius_edge = 0;
+  double largest_volume = 0, largest_radius_edge = 0;
+  std::vector<std::uint32_t> protected_tetrahedra;
+  struct SmallAngle {
+    std::vector<std::uint32_t> vertices;
+    bool is_dihedral = false;
+    double degrees = 0;
+  };
+  std::vector<SmallAngle> small_angles;
+};
+
 struct DmsDomainReport {
   std::string input;
   std::string path, sha256;  ///< of the model
@@ -36,10 +52,14 @@ struct DmsDomainReport {
   std::vector<DmsDomainRemoval> removed;
   std::vector<std::array<std::uint32_t, 4>>
       filled;  ///< in the domain by a later step, numbers of points
+  std::optional<DmsDomainRefinement> refinement;
   double seconds = 0;
 };
 
 /// The schema: docs/report.schema.json, dms_domain.
 std::string dms_domain_json(const DmsDomainReport& report);
+
+/// Sentences for people: whether the limits hold, and why not. REQUIRES a refinement.
+std::string dms_refinement_text(const DmsDomainReport& report);
 
 }  // namespace veritope::report

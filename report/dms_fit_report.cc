@@ -57,7 +57,16 @@ std::string dms_fit_json(const DmsFitReport& report) {
   Json out;
   out["schema"] = "veritope-dms-fit-1";
   out["tool"] = tool_name();
-  out["domain"] = {{"path", report.path}, {"sha256", report.sha256}, {"bytes", report.bytes}};
+  out["domain"] = nullptr;
+  if (const auto& d = report.domain)
+    out["domain"] = {{"path", d->path}, {"sha256", d->sha256}, {"bytes", d->bytes}};
+  out["auto"] = nullptr;
+  if (const auto& a = report.automatic)
+    out["auto"] = {{"kind", a->kind},
+                   {"spacing", number_json(a->spacing)},
+                   {"vertices", a->vertices},
+                   {"tetrahedra", a->tetrahedra},
+                   {"gradient_splits", a->gradient_splits}};
   out["data"] = report.data;
   out["output"] = report.output;
   out["defects"] = dms_defects_json(report.defects);
@@ -99,6 +108,11 @@ std::string dms_fit_text(const DmsFitReport& report) {
                      counted(fit.model.tetrahedra.size(), "tetrahedron", "tetrahedra") + ", " +
                      counted(num_knots(fit.model), "knot", "knots") + ", " +
                      counted(fit.model.num_control(), "control point", "control points") + "\n";
+  if (const auto& a = report.automatic)
+    text += "  the domain is " +
+            std::string(a->kind == "hull" ? "the convex hull of the data"
+                                          : "what the data occupy, by their distances") +
+            ": " + counted(a->tetrahedra, "tetrahedron", "tetrahedra") + " at the beginning\n";
   text += "  mean square error: " + list_text(fit.errors.attribute_mse) +
           "; largest error: " + list_text(fit.errors.max_error) + "\n";
   if (report.tolerance)

@@ -10,9 +10,22 @@
 
 namespace veritope::report {
 
-struct DmsFitReport {
-  std::string path, sha256;  ///< of the domain
+/// The file of the domain.
+struct DmsFitDomain {
+  std::string path, sha256;
   std::uint64_t bytes = 0;
+};
+
+/// A domain that was made from the data.
+struct DmsFitAuto {
+  std::string kind;
+  double spacing = 0;
+  std::uint64_t vertices = 0, tetrahedra = 0, gradient_splits = 0;
+};
+
+struct DmsFitReport {
+  std::optional<DmsFitDomain> domain;
+  std::optional<DmsFitAuto> automatic;  ///< if there is no file
   std::string data, output;
   DmsDefects defects;  ///< of the domain; with them there is no fit
   std::optional<double> tolerance;

@@ -122,6 +122,16 @@ class DmsDomainMesh(Folder):
         self.assertGreater(document["steiner"], 0)
         self.assertEqual(only_file(self.folder / "d.vdms")["verdict"], "VALID")
 
+    def test_refined_domains_are_still_the_mesh(self):
+        vertices = [(4., 0., 0.), (-2., 3.5, 0.), (-2., -3.5, 0.), (3.5, 2., 4.), (-3.5, 2., 4.), (0., -4., 4.)]
+        faces = [(0, 2, 1), (3, 4, 5), (0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (2, 0, 3), (2, 3, 5)]
+        document = self.check(vertices, faces, "--max-volume", "1/4")
+        self.assertEqual(document["refinement"]["end"], "limits")
+        self.assertLessEqual(document["refinement"]["largest_volume"], .25)
+        self.assertEqual(only_file(self.folder / "d.vdms")["verdict"], "VALID")
+        document = self.check(*grid(2), "--max-radius-edge", "2")
+        self.assertEqual((document["refinement"]["end"], document["refinement"]["over_radius_edge"]), ("limits", 0))
+
     def test_the_bundled_part(self):
         document, _ = self.domain(ROOT / "examples" / "sound_part.stl")
         self.assertEqual(only_file(self.folder / "d.vdms")["verdict"], "VALID")

@@ -104,6 +104,88 @@ class DmsDomain(Folder):
         hull, _ = self.domain(points, "--hull")
         self.assertEqual(hull["tetrahedra"], document["tetrahedra"] + len(document["removed"]))
 
+    def limits_of(self, model):
+        """The largest volume, and the largest squared ratio of circumradius and shortest edge, by fractions."""
+        places = [[F(x) for x in cloud[0]] for cloud in model["vertices"]]
+        volume = ratio = F(0)
+        for t in model["tetrahedra"]:
+            a, b, c, d = (places[v] for v in t)
+            six = det(a, b, c, d)
+            volume = max(volume, six / 6)
+            u, v, w = ([x - y for x, y in zip(p, a)] for p in (b, c, d))
+            uu, vv, ww = (sum(x * x for x in p) for p in (u, v, w))
+            cross = lambda p, q: [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+            centre = [(uu * x + vv * y + ww * z) / (2 * six) for x, y, z in zip(cross(v, w), cross(w, u), cross(u, v))]
+            shortest = min(sum((x - y)**2 for x, y in zip(p, q)) for p, q in itertools.combinations((a, b, c, d), 2))
+            ratio = max(ratio, sum(x * x for x in centre) / shortest)
+        return volume, ratio
+
+    def test_limits_of_volume_and_of_radius_over_edge(self):
+        plate = [[x, y, z] for x in (0, 1) for y in (0, 4) for z in (0, F(1, 3))]
+        document, model = self.domain(plate, "--hull", "--max-volume", "1/100", "--max-radius-edge", "2")
+        self.assertEqual(volume6(model), 8)
+        volume, ratio = self.limits_of(model)
+        self.assertLessEqual(volume, F(1, 100))
+        self.assertLessEqual(ratio, 4)
+        refinement = document["refinement"]
+        self.assertEqual((refinement["max_volume"], refinement["max_radius_edge"], refinement["end"]), ("1/100", "2", "limits"))
+        self.assertEqual((refinement["over_volume"], refinement["over_radius_edge"], refinement["protected"], refinement["small_angles"]), (0, 0, 0, 0))
+        self.assertEqual((document["steiner"], document["vertices"]), (refinement["inserted"], 8 + refinement["inserted"]))
+        self.assertAlmostEqual(refinement["largest_volume"], float(volume), 12)
+        self.assertAlmostEqual(refinement["largest_radius_edge"], math.sqrt(ratio), 9)
+        self.assertEqual([[F(x) for x in cloud[0]] for cloud in model["vertices"][:8]], plate)
+        self.assertTrue(all(F(x) in (0, limit) or 0 < F(x) < limit for cloud in model["vertices"] for x, limit in zip(cloud[0], (1, 4, F(1, 3)))))
+        self.assertEqual(self.certified()["shells"][0]["genus"], 0)
+
+    def test_a_budget_of_points_is_kept_and_what_was_reached_is_said(self):
+        cube = [list(p) for p in itertools.product((0, 1), repeat=3)]
+        document, _ = self.domain(cube, "--hull", "--max-volume", "0.02")
+        needed = document["refinement"]["inserted"]
+        self.assertIsInstance(document["delaunay"], bool)
+        document, _ = self.domain(cube, "--hull", "--max-volume", "0.02", "--max-points", str(needed))
+        self.assertEqual(document["refinement"]["end"], "limits")
+        done = run("dms", "domain", "-", "-o", "d.vdms", "--hull", "--max-volume", "0.02", "--max-points", str(needed - 1), "--json", "j.json", input=text(cube), cwd=self.folder)
+        self.assertEqual(done.returncode, 3, done)
+        self.assertIn("the limits are not reached", done.stdout)
+        self.assertIn("--max-points", done.stdout)
+        document = json.loads((self.folder / "j.json").read_text())
+        self.assertEqual(schema.faults(document), [])
+        refinement = document["refinement"]
+        self.assertEqual((refinement["end"], refinement["inserted"], refinement["max_points"]), ("budget", needed - 1, needed - 1))
+        self.assertGreater(refinement["over_volume"], 0)
+        model = json.loads((self.folder / "d.vdms").read_text())
+        self.assertEqual(volume6(model), 6)
+        self.assertAlmostEqual(refinement["largest_volume"], float(self.limits_of(model)[0]), 12)
+        self.certified()
+
+    def test_small_angles_are_listed_and_tetrahedra_between_them_protected(self):
+        wedge = [[0, 0, 0], [0, 0, 2], [4, F(1, 8), 0], [4, F(1, 8), 2], [4, F(-1, 8), 0], [4, F(-1, 8), 2]]
+        document, model = self.domain(wedge, "--hull", "--max-radius-edge", "2")
+        refinement = document["refinement"]
+        self.assertEqual([len(a["vertices"]) for a in refinement["small_angle_list"]], [3, 3, 2])
+        self.assertTrue(all(abs(a["degrees"] - 3.58) < .01 for a in refinement["small_angle_list"]))
+        self.assertEqual((refinement["small_angles"], refinement["end"]), (3, "limits"))
+        self.assertEqual(refinement["protected"], len(refinement["protected_tetrahedra"]))
+        self.assertGreater(refinement["protected"], 0)
+        self.assertEqual(volume6(model), 6)
+
+    def test_occupancy_domains_are_refined_as_they_are(self):
+        points = shell_scan(1, 0, 1, .3)
+        _, coarse = self.domain(points)
+        document, fine = self.domain(points, "--max-volume", "1/300")
+        self.assertEqual(volume6(fine), volume6(coarse))
+        self.assertLessEqual(self.limits_of(fine)[0], F(1, 300))
+        self.assertEqual(fine["vertices"][:len(coarse["vertices"])], coarse["vertices"])
+        self.assertEqual((document["delaunay"], document["refinement"]["taken_away"]), (False, 0))
+
+    def test_limits_out_of_range_are_wrong_usage(self):
+        for options, why in ((["--max-volume", "0"], "must be a positive number, not 0"), (["--max-volume", "-1/2"], "must be a positive number"),
+                             (["--max-volume", "x"], "must be a positive number, not x"), (["--max-radius-edge", "0.999"], "must be a number of at least 1, not 0.999"),
+                             (["--max-points", "5"], "--max-points needs --max-volume or --max-radius-edge")):
+            done = run("dms", "domain", "-", "-o", "d.vdms", "--hull", *options, input="", cwd=self.folder)
+            self.assertEqual(done.returncode, 2, done)
+            self.assertIn(why, " ".join(done.stderr.split()))
+
     def test_points_without_a_domain_are_refused(self):
         for points, why in (([[0, 0, 0]] * 9, "all 9 points lie in one plane"),
                             ([[i, i * i, 0] for i in range(30)], "all 30 points lie in one plane"),

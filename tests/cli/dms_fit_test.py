@@ -140,6 +140,53 @@ class DmsFit(Folder):
         done = run("dms", "fit", "d", "-o", "out.vdms", "--degree", "2", cwd=self.folder)
         self.assertEqual(done.returncode, 2)
         self.assertIn("--domain D.vdms is required", done.stderr)
+        done = run("dms", "fit", "d", "-o", "out.vdms", "--degree", "2", "--auto", "--domain", "domain.vdms", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--auto makes the domain, so it excludes --domain", " ".join(done.stderr.split()))
+
+    def automatic(self, rows, *options, status=0):
+        done = run("dms", "fit", "-", "-o", "out.vdms", "--auto", *options, "--json", "-", input=text_of(rows), cwd=self.folder)
+        self.assertEqual(done.returncode, status, done)
+        document = json.loads(done.stdout)
+        self.assertEqual(schema.faults(document), [])
+        self.assertEqual(list(document), schema.keys_of("dms_fit"))
+        self.assertIsNone(document["domain"])
+        return document
+
+    def test_data_that_fill_a_cube_get_its_eight_corners(self):
+        rows = [[F(x, 4), F(y, 4), F(z, 4), F(x * x - y * z, 16)] for x in range(7) for y in range(7) for z in range(7)]
+        report = self.automatic(rows, "--degree", "2")
+        self.assertEqual((report["auto"]["kind"], report["auto"]["vertices"], report["auto"]["spacing"]), ("hull", 8, .25))
+        self.assertEqual((report["points"], report["outside"], report["tetrahedra"]), (343, 0, report["auto"]["tetrahedra"]))
+        self.assertLessEqual(report["attribute_mse"][0], 1e-18)
+
+    def test_data_with_a_tunnel_get_a_domain_with_one(self):
+        draw = random.Random(8)
+        rows = []
+        for x, y, z in ((x, y, z) for x in range(-9, 10) for y in range(-9, 10) for z in range(-3, 4)):
+            if ((x * x + y * y)**.5 - 6)**2 + z * z <= 9:
+                p = [n * F(1, 5) + F(draw.randrange(-20, 21), 1000) for n in (x, y, z)]
+                rows.append(p + [abs(p[0] - F(1, 3))])
+        report = self.automatic(rows, "--degree", "2", "--max-tetrahedra", "4000", "--tolerance", "1e-3")
+        self.assertEqual((report["auto"]["kind"], report["outside"], report["reached"]), ("occupancy", 0, True))
+        self.assertGreaterEqual(report["tetrahedra"], report["auto"]["tetrahedra"])
+        values = self.exact_values(rows)
+        self.assertTrue(all(value[:3] == row[:3] for value, row in zip(values, rows)))
+        done = run("certify", "out.vdms", "--json", "c.json", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done)
+        file = json.loads((self.folder / "c.json").read_text())["files"][0]
+        self.assertEqual([s["genus"] for s in file["shells"]], [1])
+
+    def test_data_without_a_domain_are_refused(self):
+        for rows, why in (([[x, y, 0, 1] for x in range(3) for y in range(3)], "lie in one plane"), ([[0, 0, 0, 1], [1, 0, 0, 1]], "needs four points")):
+            done = run("dms", "fit", "-", "-o", "out.vdms", "--auto", "--degree", "2", input=text_of(rows), cwd=self.folder)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), done)
+            self.assertIn(why, " ".join(done.stderr.split()))
+            self.assertFalse((self.folder / "out.vdms").exists())
+        cube = [[x, y, z, x] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+        done = run("dms", "fit", "-", "-o", "out.vdms", "--auto", "--degree", "2", "--max-tetrahedra", "1", input=text_of(cube), cwd=self.folder)
+        self.assertEqual(done.returncode, 4, done)
+        self.assertIn("more than --max-tetrahedra 1", " ".join(done.stderr.split()))
 
     def test_domains_with_defects_or_of_another_kind_are_refused(self):
         model = json.loads(DOMAIN.read_text())

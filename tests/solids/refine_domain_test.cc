@@ -79,7 +79,9 @@ Rational squared_shortest_edge(const DmsModel& model, std::size_t t) {
 // By fractions, on all tetrahedra but the protected ones.
 void expect_within(const RefinedDomain& out, const RefineLimits& limits, const std::string& what) {
   for (std::size_t t = 0; t < out.model.tetrahedra.size(); ++t) {
-    if (limits.max_volume) ASSERT_LE(volume_of(out.model, t), *limits.max_volume) << what;
+    if (limits.max_volume) {
+      ASSERT_LE(volume_of(out.model, t), *limits.max_volume) << what;
+    }
     if (!limits.max_radius_edge) continue;
     const Rational& b = *limits.max_radius_edge;
     const bool is_within =

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "robust/base/check.h"
@@ -31,8 +31,12 @@ class Splitter {
     data_.resize(mesh_.complex().num_slots());
     deviation_.resize(data_.size(), 0);
     const TetrahedraCover cover(mesh_.points(), domain.tetrahedra);
-    for (std::uint32_t i = 0; i < points.size(); ++i)
+    std::set<std::array<Rational, 3>> vertices;
+    for (const ExactPoint3& p : mesh_.points()) vertices.insert(p.at());
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      if (vertices.contains(points[i].at())) continue;
       if (const auto t = cover.find(points[i])) data_[*t].push_back(i);
+    }
     for (std::uint32_t t = 0; t < data_.size(); ++t) measure(t);
   }
 
@@ -45,7 +49,7 @@ class Splitter {
       const auto t = static_cast<std::uint32_t>(worst - deviation_.begin());
       const std::optional<RefineCavity> cavity = cavity_in(t);
       if (!cavity) {
-        *worst = 0;  // all its data are vertices
+        *worst = 0;  // its data are where others became vertices
         continue;
       }
       if (mesh_.complex().num_tetrahedra() - cavity->ball.size() + cavity->shell.size() >
@@ -122,6 +126,7 @@ class Splitter {
     const std::vector<std::uint32_t> added = mesh_.insert(points_[chosen_], cavity);
     data_.resize(mesh_.complex().num_slots());
     deviation_.resize(data_.size(), 0);
+    std::erase(data, chosen_);
     std::sort(data.begin(), data.end());
     for (const std::uint32_t i : data) {
       const auto holds = [&](std::uint32_t t) {
@@ -140,7 +145,8 @@ class Splitter {
   std::span<const Gradient> gradients_;
   std::size_t per_point_;
   RefineMesh mesh_;
-  std::vector<std::vector<std::uint32_t>> data_;  // for each slot the data in its tetrahedron
+  std::vector<std::vector<std::uint32_t>>
+      data_;  // for each slot the data in its tetrahedron that are no vertices
   std::vector<double> deviation_;
   std::uint32_t chosen_ = 0;
 };

@@ -26,7 +26,7 @@ struct GradientSplits {
   std::size_t inserted = 0;
 };
 
-/// In the tetrahedron where the gradients at its data deviate most from their mean, by the root of the mean square
+/// In the tetrahedron where the gradients at its data, vertices left out, deviate most from their mean, by the root of the mean square
 /// times the cube root of its volume, the datum with the greatest gradient that is no vertex becomes one; and so on, while
 /// a deviation is greater than `threshold` times the greatest one at the beginning, and at most `most` are inserted and
 /// there are at most `max_tetrahedra`. The domain stays the same set.

@@ -67,7 +67,8 @@ def batches(paths):
             sizes.append(0)
             taken.append({})
         sizes[number] += 1
-        taken[number] = {name: names.get(name, set()) | taken[number].get(name, set()) for name in names | taken[number]}
+        for name, what in names.items():
+            taken[number][name] = taken[number].get(name, set()) | what
         numbers.append(number)
     return numbers
 

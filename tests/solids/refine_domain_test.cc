@@ -42,13 +42,6 @@ RefinedDomain refined(const DmsModel& domain, const RefineLimits& limits) {
   return std::move(*out);
 }
 
-std::array<ExactPoint3, 4> corners_of(const DmsModel& model, std::size_t t) {
-  const auto at = [&](std::size_t k) {
-    return ExactPoint3(model.clouds[model.tetrahedra[t][k]][0]);
-  };
-  return {at(0), at(1), at(2), at(3)};
-}
-
 Rational volume_of(const DmsModel& model, std::size_t t) {
   const auto at = [&](std::size_t k) { return model.clouds[model.tetrahedra[t][k]][0]; };
   return dot(minus(at(1), at(0)), cross(minus(at(2), at(0)), minus(at(3), at(0)))) / Rational(6);

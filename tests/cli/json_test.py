@@ -95,6 +95,8 @@ class Schema(Folder):
         yield json.loads(run("dms", "iso", dms, *surface).stdout)
         for mode in (("--mode", "xray"), ("--mode", "volume"), ("--mode", "slice"), ("--mode", "iso", "--level", "1/3"), ()):
             yield json.loads(run("render", dms, *mode, "--attribute", "density", "-o", self.folder / "e.png", "--size", "64,64", "--json", "-").stdout)
+        yield json.loads(run("dms", "refine", dms, "--at", "1/3,1/3,0", "-o", self.folder / "r.vdms", "--json", "-").stdout)
+        yield json.loads(run("info", "--json", "-", MODELS / "dms" / "attribute_domain.vdms").stdout)
         curves, square = self.folder / "curves.json", self.folder / "square.itd"
         square.write_text(SQUARE)
         yield json.loads(run("intersect", MODELS / "patches" / "cube.itd", square, "--json", "-", "-o", curves).stdout)

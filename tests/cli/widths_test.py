@@ -86,6 +86,8 @@ def command_lines():
     yield ["dms", "xray", "--help"]
     yield ["dms", "refine", "tests/models/dms/tetrahedron.vdms", "--at", "1/4,1/5,1/6", "--cloud", "1/4,1/5,1/7", "-o", "r.vdms"]
     yield ["dms", "refine", "tests/models/dms/tetrahedron.vdms", "--at", "1/3,1/3,0", "-o", "x.vdms"]
+    yield ["dms", "refine", "tests/models/dms/tetrahedron.vdms", "--at", "0,0,0", "-o", "x.vdms"]
+    yield ["info", "tests/models/dms/attribute_domain.vdms"]
     yield ["dms", "refine", "--help"]
     yield ["dms", "boundary", "tests/models/dms/tetrahedron.vdms", "-o", "b.vjson"]
     yield ["dms", "boundary", "--help"]

@@ -16,8 +16,7 @@ namespace {
 
 constexpr int kMaxDraws = 64;     // for a knot that must lie on no inner side of a face
 constexpr int kMaxHalvings = 40;  // of a cloud, before it collapses
-// Drawn numbers are multiples of 1 / kSteps. They are short: the numbers of certificates are many times as long.
-constexpr std::int64_t kSteps = std::int64_t{1} << 8;
+constexpr std::int64_t kSteps = std::int64_t{1} << 20;  // drawn numbers are multiples of 1 / kSteps
 
 Rational largest_difference(const DmsPoint& a, const DmsPoint& b) {
   Rational most;

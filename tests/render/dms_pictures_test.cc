@@ -15,9 +15,9 @@
 namespace veritope {
 namespace {
 
-// A quadratic box of 2 x 1 x 1 cubes with clouds, whose map is not affine; z^2-like attribute.
-DmsModel box_model(bool is_bent) {
-  DmsModel domain = kuhn_domain({2, 1, 1});
+// A quadratic box of `length` x 1 x 1 cubes with clouds; bent: z + x^2 / 4 at the control points.
+DmsModel box_model(bool is_bent, int length = 2) {
+  DmsModel domain = kuhn_domain({length, 1, 1});
   domain.attributes = {"density"};
   std::vector<Rational> values;
   for (std::size_t v = 0; v < domain.clouds.size(); ++v) values.emplace_back(v % 4);
@@ -104,7 +104,7 @@ TEST(DmsRays, PointsLieInPlanesAcrossAxesExactly) {
 }
 
 TEST(DmsBoundaryView, PointsAndValuesAreThoseOfTheMap) {
-  const DmsModel model = box_model(true);
+  const DmsModel model = box_model(true, 1);
   const TetrahedralComplex complex(model.tetrahedra,
                                    static_cast<std::uint32_t>(model.clouds.size()));
   const auto pieces = boundary_pieces(model, complex);
@@ -117,7 +117,8 @@ TEST(DmsBoundaryView, PointsAndValuesAreThoseOfTheMap) {
   ASSERT_TRUE(solid.has_value() && domain.has_value());
   ASSERT_EQ(solid->surface.points.size(), domain->surface.points.size());
   ASSERT_EQ(solid->surface.colours.size(), solid->surface.points.size());
-  EXPECT_EQ(solid->range, (std::array<double, 2>{0, 3}));
+  EXPECT_TRUE(0 <= solid->range[0] && solid->range[0] < 0.1);
+  EXPECT_TRUE(2.9 < solid->range[1] && solid->range[1] <= 3);
   DmsEvaluator evaluator(model);
   std::size_t tested = 0;
   double bulge = 0;
@@ -125,8 +126,7 @@ TEST(DmsBoundaryView, PointsAndValuesAreThoseOfTheMap) {
     DmsPoint p;
     for (std::size_t k = 0; k < 3; ++k) {
       // Rounding may have moved it outside of the box.
-      const double most = k == 0 ? 2 : 1;
-      p[k] = Rational::from_double(std::clamp(domain->surface.points[i][k], 0.0, most));
+      p[k] = Rational::from_double(std::clamp(domain->surface.points[i][k], 0.0, 1.0));
     }
     const auto place = evaluator.locate(p);
     ASSERT_TRUE(place.has_value());

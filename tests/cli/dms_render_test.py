@@ -228,10 +228,8 @@ class Surface(DmsPicture):
         self.assertAlmostEqual(abs(area), (2 / 3)**2 / 2, delta=1e-5)
 
     def test_a_level_that_is_not_certified_is_drawn_with_status_3(self):
-        model = self.bent()
-        model["attributes"] = ["z"]
-        self.write("bent.vdms", model)
-        done = run("render", "bent.vdms", "-o", "v.png", "--mode", "iso", "--attribute", "z", "--level", "1/4", "--size", "64,64", cwd=self.folder)
+        self.bent()
+        done = run("render", "bent.vdms", "-o", "v.png", "--mode", "iso", "--attribute", "density", "--level", 2, "--size", "64,64", cwd=self.folder)
         self.assertEqual(done.returncode, 3, done)
         self.assertIn("the topology of the surface is not certified", re.sub(r"\s+", " ", done.stderr))
         self.assertTrue((self.folder / "v.png").exists())

@@ -104,7 +104,7 @@ class Splitter {
     if (!std::isfinite(deviation_[t])) deviation_[t] = 0;
   }
 
-  // Of the steepest datum in the tetrahedron that is no vertex; others are given up.
+  // The cavity of the steepest datum in the tetrahedron that is no vertex.
   std::optional<RefineCavity> cavity_in(std::uint32_t t) {
     std::vector<std::uint32_t> order = data_[t];
     std::stable_sort(order.begin(), order.end(),

@@ -26,10 +26,10 @@ struct GradientSplits {
   std::size_t inserted = 0;
 };
 
-/// In the tetrahedron where the gradients at its data, vertices left out, deviate most from their mean, by the root of the mean square
-/// times the cube root of its volume, the datum with the greatest gradient that is no vertex becomes one; and so on, while
-/// a deviation is greater than `threshold` times the greatest one at the beginning, and at most `most` are inserted and
-/// there are at most `max_tetrahedra`. The domain stays the same set.
+/// In the tetrahedron where the gradients at its data, vertices left out, deviate most from their mean, by the root of
+/// the mean square times the cube root of its volume, the datum with the greatest gradient becomes a vertex; and so on,
+/// while a deviation is greater than `threshold` times the greatest one at the beginning, and at most `most` are
+/// inserted and there are at most `max_tetrahedra`. The domain stays the same set.
 /// (The paper splits a tetrahedron into four, with the vertex where the gradient is greatest; here the vertex is
 /// inserted with its Delaunay cavity, so that edges are cut, too.)
 /// @param gradients  of several attributes, one after the other for each point

@@ -22,7 +22,8 @@ constexpr double kLeastPart =
 // A vertex that is inserted because a tetrahedron is too long makes no edge shorter than this times the shortest one of
 // the tetrahedron. So edges do not become shorter and shorter where no vertex helps.
 constexpr double kLeastEdge = 1;
-// The same for a tetrahedron that is too large, times the cube root of the limit.
+// A vertex that is inserted because a tetrahedron is too large makes none shorter than this times the cube root of the
+// limit, if another choice is left.
 constexpr double kLeastSize = 0.25;
 
 class Refiner {

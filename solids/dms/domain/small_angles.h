@@ -14,7 +14,7 @@ namespace veritope {
 
 struct SmallAngle {
   bool is_dihedral = false;
-  /// Of two segments: an end, the vertex in which they meet, an end. Of two facets: the ends of their segment.
+  /// Two segments: an end, the vertex in which they meet, an end. Two facets: the ends of their segment.
   std::vector<std::uint32_t> vertices;
   double degrees = 0;  ///< rounded
 };

@@ -30,8 +30,8 @@ struct SurfaceSteps {
       0.5;  ///< the angle, in radians, by which normals of neighbouring samples may differ
 };
 
-/// The curvature at each vertex of the boundary: how fast the normals of its neighbours turn, the mean over the faces at
-/// a vertex being its normal. Zero for other vertices.
+/// The curvature at each vertex of the boundary: how fast the normals of its neighbours turn, where the mean over the
+/// faces at a vertex is its normal. Zero for other vertices.
 std::vector<double> approx_curvatures(std::span<const Vec3d> points,
                                       const TetrahedralComplex& complex);
 
@@ -43,8 +43,8 @@ std::vector<std::uint32_t> sample_surface(std::span<const Vec3d> points,
                                           std::span<const std::uint32_t> taken,
                                           const SurfaceSteps& steps);
 
-/// At most `count` candidates, as dense in each region as the candidates are, in proportion: each so many-th one along a
-/// Hilbert curve. Ascending.
+/// At most `count` candidates, as dense in each region as the candidates are, in proportion: each so many-th one along
+/// a Hilbert curve. Ascending.
 std::vector<std::uint32_t> sample_interior(std::span<const Vec3d> points,
                                            std::span<const std::uint32_t> candidates,
                                            std::size_t count);

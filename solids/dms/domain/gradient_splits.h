@@ -14,8 +14,8 @@
 
 namespace veritope {
 
-/// The gradient of one attribute at each point: the mean, weighted by volume, of those of the linear functions that have
-/// the values at the corners of the tetrahedra there. Zero at points without a tetrahedron. Rounded.
+/// The gradient of one attribute at each point: the mean, weighted by volume, of those of the linear functions that
+/// have the values at the corners of the tetrahedra there. Zero at points without a tetrahedron. Rounded.
 /// REQUIRES a value for each point, positive tetrahedra.
 std::vector<std::array<double, 3>> approx_gradients(std::span<const ExactPoint3> points,
                                                     std::span<const TetrahedronCorners> tetrahedra,

@@ -22,8 +22,7 @@ constexpr double kLeastPart =
 // A vertex that is inserted because a tetrahedron is too long makes no edge shorter than this times the shortest one of
 // the tetrahedron. So edges do not become shorter and shorter where no vertex helps.
 constexpr double kLeastEdge = 1;
-// A vertex that is inserted because a tetrahedron is too large makes none shorter than this times the cube root of the
-// limit, if another choice is left.
+// The like for a tetrahedron that is too large, times the cube root of the limit.
 constexpr double kLeastSize = 0.25;
 
 class Refiner {
@@ -287,15 +286,6 @@ class Refiner {
 };
 
 }  // namespace
-
-const char* refine_end_name(RefineEnd end) {
-  switch (end) {
-    case RefineEnd::kLimits: return "limits";
-    case RefineEnd::kBudget: return "budget";
-    case RefineEnd::kStuck: return "stuck";
-  }
-  return "";
-}
 
 Result<RefinedDomain> refine_domain(const DmsModel& domain, const RefineLimits& limits) {
   if (limits.max_volume && limits.max_volume->sign() != Sign::kPositive)

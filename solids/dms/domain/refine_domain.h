@@ -14,14 +14,6 @@
 
 namespace veritope {
 
-enum class RefineEnd {
-  kLimits,  ///< every tetrahedron is within the limits, but for those between small angles of the domain
-  kBudget,  ///< max_points are inserted
-  kStuck,   ///< no place for a further vertex was found
-};
-/// "limits", "budget", "stuck"
-const char* refine_end_name(RefineEnd end);
-
 struct RefinedDomain {
   /// Degree 1, the identity. The first vertices are those of the domain, without those that were taken away.
   DmsModel model;

@@ -5,6 +5,15 @@
 
 namespace veritope {
 
+const char* refine_end_name(RefineEnd end) {
+  switch (end) {
+    case RefineEnd::kLimits: return "limits";
+    case RefineEnd::kBudget: return "budget";
+    case RefineEnd::kStuck: return "stuck";
+  }
+  return "";
+}
+
 bool is_over_volume(const std::array<const ExactPoint3*, 4>& tetrahedron,
                     const RefineLimits& limits) {
   return limits.max_volume && compare_volume(tetrahedron, *limits.max_volume) == Sign::kPositive;

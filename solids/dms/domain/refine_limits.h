@@ -21,6 +21,14 @@ struct RefineLimits {
   std::size_t num_fixed = kMaxDmsVertices;
 };
 
+enum class RefineEnd {
+  kLimits,  ///< every tetrahedron is within the limits, but for those between small angles of the domain
+  kBudget,  ///< max_points are inserted
+  kStuck,   ///< no place for a further vertex was found
+};
+/// "limits", "budget", "stuck"
+const char* refine_end_name(RefineEnd end);
+
 /// Whether the volume of the tetrahedron, whose d is positive, is greater than the limit, if there is one.
 bool is_over_volume(const std::array<const ExactPoint3*, 4>& tetrahedron,
                     const RefineLimits& limits);

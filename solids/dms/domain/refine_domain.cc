@@ -22,7 +22,7 @@ constexpr double kLeastPart =
 // A vertex that is inserted because a tetrahedron is too long makes no edge shorter than this times the shortest one of
 // the tetrahedron. So edges do not become shorter and shorter where no vertex helps.
 constexpr double kLeastEdge = 1;
-// The like for a tetrahedron that is too large, times the cube root of the limit.
+// For a tetrahedron that is too large the bound is this times the cube root of the limit.
 constexpr double kLeastSize = 0.25;
 
 class Refiner {

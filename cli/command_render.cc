@@ -96,8 +96,9 @@ void declare(OptionSet& set, RenderOptions& o) {
   set.output("-o,--output", o.output, "write the picture: .png; for viewers .vtu, .gltf, .obj");
   set.option(
       "--explode", "K", [&o](const std::string& t) { return take_factor(t, o.explode); },
-      "volumes: move cells apart, by K times their offset (0)");
+      "volumes: move cells apart by K; --nets: control nets");
   set.flag("--nets", o.nets, "draw control nets of volumes, the cage of tiles");
+  set.hide("--nets");
   declare_dms_render(set, o.dms);
   set.length("--chord", "H", o.chord, "volumes, curves: the distance of chords to aim at");
   set.option(
@@ -114,8 +115,9 @@ void declare(OptionSet& set, RenderOptions& o) {
   set.text("--around", o.around, "microstructures, curves: draw this mesh around them");
   declare_json(set, o.json, "write the counts");
   declare_jobs(set, o.jobs);
-  set.flag("--no-check", o.no_check, "do not run veritope-check");
+  set.flag("--no-check", o.no_check, "do not run veritope-check; --as-indexed: no merging");
   declare_reading(set, o.input.reading);
+  set.hide("--as-indexed");
 }
 
 // A stream is a picture, too.

@@ -145,8 +145,8 @@ std::string mode_name(DmsMode mode) {
 void declare_dms_render(OptionSet& set, DmsRenderOptions& o) {
   set.option(
       "--mode", "M", [&o](const std::string& t) { return take_mode(t, o.mode); },
-      "vdms: xray, volume, slice or iso, with --attribute A, --level,\n--within, --space, --plane, "
-      "--transfer, --range, ...");
+      "vdms: xray, volume, slice, iso; with --attribute A,\n--level, --within, --space, --plane, "
+      "--transfer, ...");
   set.text("--attribute", o.attribute, "the attribute that is drawn", "A");
   set.option(
       "--level", "C", [&o](const std::string& t) { return take_exact(t, o.level); },

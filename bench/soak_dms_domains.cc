@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/soak_dms_domains.cc: --folder F [--facets N] [--file NAME] [--parts P]. With P each domain is refined, too, until
-// no tetrahedron has more than a P-th of the mesh's volume. The domains of the valid meshes of a folder with at
+// bench/soak_dms_domains.cc: --folder F [--facets N] [--file NAME] [--parts P]. With P each domain is refined, too,
+// until no tetrahedron has more than a P-th of the mesh's volume. The domains of the valid meshes of a folder with at
 // most N facets, 20,000 unless given: how many are made, and why not the others. A made domain that is not the mesh,
 // exactly, is a failure. One JSON line.
 #include <algorithm>

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Which test files one run of the compiler can take together: those of a batch declare no name twice outside of functions.
+"""Which test files one run of the compiler can take together: in a batch no name has two meanings outside of functions.
 
-A batch's files share one translation unit ("unity build"), so that the headers are parsed once for all of them; but each has its own helpers
-of names such as `draw` or `kSeed`. The names are read from lines that begin in the first column, as clang-format leaves them. If this reading
-misses one, the compiler says so ("redefinition", "ambiguous"): rename it.
+The files of a batch share one translation unit ("unity build"), so that headers are parsed once for all of them. But each
+file has helpers of its own, with names such as `draw` or `kSeed`. Names are read from lines that begin in the first
+column, as clang-format leaves them; what this reading misses is an error of the compiler ("redefinition", "ambiguous")
+unless a header that one test includes has an overload that fits the calls of another one better.
 
 usage: test_batches.py FILE...   prints the batch of each file, a list for CMake; batches are numbered from 0
 """
@@ -15,13 +16,14 @@ import re
 import sys
 
 LIMIT = 10                                                # files of one batch: it needs about 1 GB of memory
+TYPED = r"^(?:(?:constexpr|const|static|inline|extern|long|unsigned) )*[\w:]+(?:<[^;\n]*>)?(?:::\w+)?[ *&]+"
 NAMES = [re.compile(pattern, re.M) for pattern in (
     r"^(?:template.*\n)?(?:struct|class|enum class|enum) (\w+)",
     r"^using (\w+) =",
     r"^#define (\w+)",
     # constants and variables, then functions, whose return type may be a template
-    r"^(?:(?:constexpr|const|static|inline|extern|long|unsigned) )*[\w:]+(?:<[^;\n]*>)?[ *&]+(\w+)(?:\[[^\]\n]*\])*(?: =|\{|;)",
-    r"^(?:(?:constexpr|static|inline|long|unsigned) )*(?!return|TEST)[\w:]+(?:<[^;\n]*>)?(?:::\w+)?[ *&]+(\w+)\(")]
+    TYPED + r"(\w+)(?:\[[^\]\n]*\])*(?: =|\{|;)",
+    r"^(?!return|TEST)" + TYPED[1:] + r"(\w+)\(")]
 BORROWED = re.compile(r"^using ((?:\w+::)+(\w+));", re.M)
 OPENED = re.compile(r"^namespace (?:\w+::)*(\w+)", re.M)
 INCLUDED = re.compile(r'^#include "(.*)"', re.M)
@@ -40,8 +42,8 @@ def read(file):
 
 
 def names_of(path):
-    """{name: all that it is} of a test and of the headers that it includes: the tests' files that declare it, the names that `using` borrows,
-    "namespace", or "the library's"."""
+    """{name: all that it is} of a test and of the headers that it includes: the tests' files that declare it, the names
+    that `using` borrows, "namespace", or "the library's"."""
     found, seen, todo = collections.defaultdict(set), set(), {pathlib.Path(path)}
     while todo:
         file = todo.pop()

@@ -31,9 +31,9 @@ class DmsPieces {
 
   /// x, y, z of the map on the triangle or the tetrahedron of these corners, exactly: coefficients in the order of
   /// triangle_index or tetrahedral_index. Nothing if the mean of the corners lies outside of the closed domain.
-  /// REQUIRES three corners, not on one line, in a face of the boundary, or four, not in one plane; and that no triangle
-  /// of knots of a V_γ that contains inner points of their simplex reaches into it, but those in the plane of three
-  /// corners.
+  /// REQUIRES three corners, not on one line, in a face of the boundary, or four, not in one plane; and that no
+  /// triangle of knots of a V_γ that contains inner points of their simplex reaches into it, but those in the plane of
+  /// three corners.
   /// @cost each simplex spline whose knots' hull contains the mean of the corners, once, in integers over one common
   /// denominator each; at the end one greatest common divisor for each number
   std::optional<std::vector<DmsPoint>> coefficients(std::span<const DmsPoint> corners);

@@ -20,7 +20,7 @@ class SimplexInterpolation {
 
   std::vector<DmsPoint> points(std::span<const DmsPoint> corners) const;
   std::vector<DmsPoint> coefficients(std::span<const DmsPoint> values) const;
-  /// Of one component.
+  /// The coefficients of one component.
   std::vector<Rational> coefficients(std::span<const Rational> values) const;
 
  private:

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Which test files one run of the compiler can take together: in a batch no name has two meanings outside of functions.
 
-The files of a batch share one translation unit ("unity build"), so that headers are parsed once for all of them. But each
-file has helpers of its own, with names such as `draw` or `kSeed`. Names are read from lines that begin in the first
+The files of a batch share one translation unit ("unity build"), so that headers are parsed once for all of them. But
+each file has helpers of its own, with names such as `draw` or `kSeed`. Names are read from lines that begin in the first
 column, as clang-format leaves them; what this reading misses is an error of the compiler ("redefinition", "ambiguous")
 unless a header that one test includes has an overload that fits the calls of another one better.
 

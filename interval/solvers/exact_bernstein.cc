@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "interval/solvers/mp_restriction_internal.h"
+#include "robust/base/check.h"
 #include "splines/bezier_calculus.h"
 #include "splines/bezier_degree.h"
 #include "splines/bezier_product.h"
@@ -23,6 +24,7 @@ ExactPolynomial<N> raised(const ExactPolynomial<N>& map, std::size_t axis) {
 template <std::size_t N>
 ExactPolynomial<N> sum(const ExactPolynomial<N>& a, const ExactPolynomial<N>& b,
                        const Rational& k) {
+  VT_CHECK(!a.is_rational() && !b.is_rational(), "a sum of coefficients of rational maps");
   auto [p, q] = to_common_degrees(a, b);
   for (std::size_t i = 0; i < p.coefficients().size(); ++i)
     p.coefficients()[i] += k * q.coefficients()[i];

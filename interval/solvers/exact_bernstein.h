@@ -17,7 +17,7 @@ using ExactPolynomial = Bezier<Rational, N>;
 
 template <std::size_t N>
 ExactPolynomial<N> product(const ExactPolynomial<N>& a, const ExactPolynomial<N>& b);
-/// a + k b, with the larger of the degrees.
+/// a + k b, with the larger of the degrees. REQUIRES polynomials: for rational maps there is splines/bezier_product.h.
 template <std::size_t N>
 ExactPolynomial<N> sum(const ExactPolynomial<N>& a, const ExactPolynomial<N>& b,
                        const Rational& k = Rational(1));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <tuple>
 
 #include "solids/dms/dms_polygon_internal.h"
@@ -40,27 +39,6 @@ bool are_collinear(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3
   for (int axis = 0; axis < 3; ++axis)
     if (orient2d_projected(a, b, c, axis) != Sign::kZero) return false;
   return true;
-}
-
-// How good a triangle is, approximately: its doubled area over the square of its longest side.
-double shape_of(const std::array<std::array<double, 3>, 3>& p) {
-  std::array<std::array<double, 3>, 3> side{};
-  double longest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    double square = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      side[i][c] = p[(i + 1) % 3][c] - p[i][c];
-      square += side[i][c] * side[i][c];
-    }
-    longest = std::max(longest, square);
-  }
-  double area = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const std::size_t d = (c + 1) % 3, e = (c + 2) % 3;
-    const double x = side[0][d] * side[1][e] - side[0][e] * side[1][d];
-    area += x * x;
-  }
-  return longest > 0 ? std::sqrt(area) / longest : 0;
 }
 
 }  // namespace
@@ -143,34 +121,17 @@ std::optional<std::pair<DmsPolygon, DmsPolygon>> internal::DmsDrawingPlane::cut(
   return std::pair{std::move(left), std::move(right)};
 }
 
-// The ear of the best shape comes off first, if what is left is still a polygon.
 std::vector<std::array<std::uint32_t, 3>> internal::DmsDrawingPlane::triangles(
-    DmsPolygon polygon) const {
+    const DmsPolygon& polygon) const {
+  if (polygon.size() == 3) return {{polygon[0], polygon[1], polygon[2]}};
+  DmsPoint mean;
+  for (const std::uint32_t p : polygon)
+    for (std::size_t c = 0; c < 3; ++c) mean[c] += points_.at(p).at()[c];
+  for (Rational& x : mean) x /= Rational(static_cast<std::int64_t>(polygon.size()));
+  const std::uint32_t middle = points_.add(std::move(mean));
   std::vector<std::array<std::uint32_t, 3>> out;
-  while (polygon.size() > 3) {
-    const std::size_t n = polygon.size();
-    std::vector<bool> turns(n);
-    for (std::size_t i = 0; i < n; ++i)
-      turns[i] =
-          turn(polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]) == Sign::kPositive;
-    std::size_t best = n;
-    double most = -1;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!turns[i]) continue;
-      const std::uint32_t before = polygon[(i + n - 1) % n], after = polygon[(i + 1) % n];
-      // Another corner is off the line through the neighbours: else all that is left is on it.
-      bool is_left = false;
-      for (std::size_t k = 2; k + 1 < n && !is_left; ++k)
-        is_left = turn(before, after, polygon[(i + k) % n]) == Sign::kPositive;
-      if (!is_left) continue;
-      const double shape = shape_of({rounded(points_.at(before)), rounded(points_.at(polygon[i])),
-                                     rounded(points_.at(after))});
-      if (shape > most) most = shape, best = i;
-    }
-    out.push_back({polygon[(best + n - 1) % n], polygon[best], polygon[(best + 1) % n]});
-    polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(best));
-  }
-  out.push_back({polygon[0], polygon[1], polygon[2]});
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    out.push_back({polygon[i], polygon[(i + 1) % polygon.size()], middle});
   return out;
 }
 

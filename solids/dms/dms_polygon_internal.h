@@ -46,9 +46,10 @@ class DmsDrawingPlane {
   /// segment that is a point is given a line.
   std::optional<std::pair<DmsPolygon, DmsPolygon>> cut(const DmsPolygon& polygon,
                                                        const DmsSegment& segment) const;
-  /// Triangles without further corners that make up the polygon. The greatest angles are kept small.
+  /// Triangles that make up the polygon: itself, or all that have a side of it and the mean of its corners. They are
+  /// more than ears would be, but ears are so thin that models of six tetrahedra had no star boxes.
   /// REQUIRES corners that are not all on one line.
-  std::vector<std::array<std::uint32_t, 3>> triangles(DmsPolygon polygon) const;
+  std::vector<std::array<std::uint32_t, 3>> triangles(const DmsPolygon& polygon) const;
 
  private:
   std::uint32_t crossing(const DmsSegment& line, std::uint32_t a, std::uint32_t b) const;

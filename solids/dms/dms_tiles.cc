@@ -2,7 +2,6 @@
 #include "solids/dms/dms_tiles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -56,8 +55,7 @@ class BoundaryTiling {
     return cross_product(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
   }
 
-  // Appends the polygons into which triangles of knots cut a face; false if they are too many. A cut goes on to the
-  // border of the polygon in which its segment ends, so long segments come first: they leave small polygons.
+  // Appends the polygons into which triangles of knots cut a face; false if they are too many.
   bool cut_face(TetrahedronFace f) {
     const std::vector<DmsPoint> corners = corners_of(f);
     const DmsPoint normal = normal_of_face(corners);
@@ -65,15 +63,10 @@ class BoundaryTiling {
     std::vector<DmsPolygon>& parts = polygons_.emplace_back();
     parts.push_back({places_[v[0]], places_[v[1]], places_[v[2]]});
     DmsRegion region(knots_, corners, upright_planes(corners));
-    std::vector<std::pair<double, DmsSegment>> segments;
+    const internal::DmsDrawingPlane plane(points_, normal);
     for (const auto& three : region.find_cuts(region.supports()))
       if (const auto segment = trace_of(three, corners[0], normal))
-        segments.emplace_back(length_of(*segment), *segment);
-    std::stable_sort(segments.begin(), segments.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
-    const internal::DmsDrawingPlane plane(points_, normal);
-    for (const auto& [length, segment] : segments)
-      if (!cut_parts(parts, segment, plane)) return false;
+        if (!cut_parts(parts, *segment, plane)) return false;
     return true;
   }
   bool cut_parts(std::vector<DmsPolygon>& parts, const DmsSegment& segment,
@@ -84,10 +77,6 @@ class BoundaryTiling {
         parts.push_back(std::move(halves->second));
       }
     return parts.size() <= max_tiles_;
-  }
-  double length_of(const DmsSegment& segment) const {
-    const Vec3d a = points_.at(segment[0]).rounded(), b = points_.at(segment[1]).rounded();
-    return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
   }
   // Where the triangle of three knots, not all in the plane, meets it: a segment or a point.
   std::optional<DmsSegment> trace_of(const std::array<std::uint32_t, 3>& three,

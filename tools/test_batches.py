@@ -3,9 +3,9 @@
 """Which test files one run of the compiler can take together: in a batch no name has two meanings outside of functions.
 
 The files of a batch share one translation unit ("unity build"), so that headers are parsed once for all of them. But
-each file has helpers of its own, with names such as `draw` or `kSeed`. Names are read from lines that begin in the first
-column, as clang-format leaves them; what this reading misses is an error of the compiler ("redefinition", "ambiguous")
-unless a header that one test includes has an overload that fits the calls of another one better.
+each file has helpers of its own, with names such as `draw` or `kSeed`. Names are read from lines that begin in the
+first column, as clang-format leaves them; what this reading misses is an error of the compiler ("redefinition",
+"ambiguous"), unless a header that one test includes has an overload that fits the calls of another one better.
 
 usage: test_batches.py FILE...   prints the batch of each file, a list for CMake; batches are numbered from 0
 """

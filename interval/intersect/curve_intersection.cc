@@ -40,7 +40,7 @@ std::vector<ExactPolynomial<N>> difference(const Bezier<Rational, K>& a,
   std::vector<ExactPolynomial<N>> out;
   for (int c = 0; c < a.dimension(); ++c)
     out.push_back(
-        sum(product(lifted<N>(a, c, 0), wb), product(lifted<N>(b, c, K), wa), Rational(-1)));
+        plus(product(lifted<N>(a, c, 0), wb), product(lifted<N>(b, c, K), wa), Rational(-1)));
   return out;
 }
 
@@ -127,8 +127,8 @@ ExactPolynomial<2> along(const std::vector<ExactPolynomial<2>>& r, const Bezier<
   for (int c = 0; c < piece.dimension(); ++c) {
     const auto p = lifted<2>(piece, c, axis);
     const auto tangent =
-        sum(product(derivative(p, axis), w), product(p, derivative(w, axis)), Rational(-1));
-    out = sum(out, product(r[static_cast<std::size_t>(c)], tangent));
+        plus(product(derivative(p, axis), w), product(p, derivative(w, axis)), Rational(-1));
+    out = plus(out, product(r[static_cast<std::size_t>(c)], tangent));
   }
   return out;
 }

@@ -35,8 +35,8 @@ class DistanceEquations {
       if (piece.is_rational()) {
         const ExactPolynomial<N> w = scalar(piece, piece.num_components() - 1);
         ExactPolynomial<N> square = product(q[0], q[0]);
-        for (std::size_t k = 1; k < q.size(); ++k) square = sum(square, product(q[k], q[k]));
-        slope = sum(product(w, slope), product(derivative(w, a), square), Rational(-1));
+        for (std::size_t k = 1; k < q.size(); ++k) square = plus(square, product(q[k], q[k]));
+        slope = plus(product(w, slope), product(derivative(w, a), square), Rational(-1));
       }
       for (Rational& c : slope.coefficients()) c *= scale;
       out.push_back(std::move(slope));
@@ -60,7 +60,7 @@ class DistanceEquations {
   static ExactPolynomial<N> dot(const std::vector<ExactPolynomial<N>>& q, std::size_t axis) {
     ExactPolynomial<N> out = product(q[0], derivative(q[0], axis));
     for (std::size_t k = 1; k < q.size(); ++k)
-      out = sum(out, product(q[k], derivative(q[k], axis)));
+      out = plus(out, product(q[k], derivative(q[k], axis)));
     return out;
   }
 

@@ -22,8 +22,8 @@ ExactPolynomial<N> raised(const ExactPolynomial<N>& map, std::size_t axis) {
 }
 
 template <std::size_t N>
-ExactPolynomial<N> sum(const ExactPolynomial<N>& a, const ExactPolynomial<N>& b,
-                       const Rational& k) {
+ExactPolynomial<N> plus(const ExactPolynomial<N>& a, const ExactPolynomial<N>& b,
+                        const Rational& k) {
   VT_CHECK(!a.is_rational() && !b.is_rational(), "a sum of coefficients of rational maps");
   auto [p, q] = to_common_degrees(a, b);
   for (std::size_t i = 0; i < p.coefficients().size(); ++i)
@@ -51,8 +51,8 @@ Bezier<Interval, N> enclosed_on(const Bezier<Rational, N>& map, const ExactBox<N
 
 #define VT_INSTANTIATE(N)                                                                    \
   template ExactPolynomial<N> product(const ExactPolynomial<N>&, const ExactPolynomial<N>&); \
-  template ExactPolynomial<N> sum(const ExactPolynomial<N>&, const ExactPolynomial<N>&,      \
-                                  const Rational&);                                          \
+  template ExactPolynomial<N> plus(const ExactPolynomial<N>&, const ExactPolynomial<N>&,     \
+                                   const Rational&);                                         \
   template ExactPolynomial<N> derivative(const ExactPolynomial<N>&, std::size_t);            \
   template ExactPolynomial<N> raised(const ExactPolynomial<N>&, std::size_t);                \
   template Bezier<Interval, N> enclosed_on(const Bezier<Rational, N>&, const ExactBox<N>&, int);

@@ -17,10 +17,11 @@ using ExactPolynomial = Bezier<Rational, N>;
 
 template <std::size_t N>
 ExactPolynomial<N> product(const ExactPolynomial<N>& a, const ExactPolynomial<N>& b);
-/// a + k b, with the larger of the degrees. REQUIRES polynomials: for rational maps there is splines/bezier_product.h.
+/// a + k b, with the larger of the degrees. REQUIRES polynomials; rational maps are added by splines/bezier_product.h,
+/// whose name differs, so that no include decides which sum is meant.
 template <std::size_t N>
-ExactPolynomial<N> sum(const ExactPolynomial<N>& a, const ExactPolynomial<N>& b,
-                       const Rational& k = Rational(1));
+ExactPolynomial<N> plus(const ExactPolynomial<N>& a, const ExactPolynomial<N>& b,
+                        const Rational& k = Rational(1));
 template <std::size_t N>
 ExactPolynomial<N> derivative(const ExactPolynomial<N>& a, std::size_t axis);
 /// Raises the degree along an axis by one; the polynomial is the same.

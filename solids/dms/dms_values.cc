@@ -88,13 +88,6 @@ std::vector<DmsPoint> SimplexInterpolation::coefficients(std::span<const DmsPoin
   return out;
 }
 
-std::vector<Rational> SimplexInterpolation::coefficients(std::span<const Rational> values) const {
-  std::vector<Rational> out(inverse_.size());
-  for (std::size_t i = 0; i < out.size(); ++i)
-    for (std::size_t k = 0; k < values.size(); ++k) out[i] += inverse_[i][k] * values[k];
-  return out;
-}
-
 std::optional<std::vector<DmsPoint>> values_at(DmsEvaluator& evaluator,
                                                std::span<const DmsPoint> points) {
   std::vector<DmsPoint> out;

@@ -20,8 +20,6 @@ class SimplexInterpolation {
 
   std::vector<DmsPoint> points(std::span<const DmsPoint> corners) const;
   std::vector<DmsPoint> coefficients(std::span<const DmsPoint> values) const;
-  /// The coefficients of one component.
-  std::vector<Rational> coefficients(std::span<const Rational> values) const;
 
  private:
   std::vector<std::vector<Rational>> shares_;   // of each point

@@ -117,11 +117,11 @@ TEST(ExactBernstein, SumsProductsAndDerivativesAreThoseOfValues) {
                                     at(static_cast<long>(random.below(8)), 7)};
     const Rational va = evaluate(a, x)[0], vb = evaluate(b, x)[0];
     EXPECT_EQ(evaluate(product(a, b), x)[0], va * vb) << loop;
-    EXPECT_EQ(evaluate(sum(a, b, at(-3)), x)[0], va - at(3) * vb) << loop;
+    EXPECT_EQ(evaluate(plus(a, b, at(-3)), x)[0], va - at(3) * vb) << loop;
     EXPECT_EQ(evaluate(raised(a, 1), x)[0], va) << loop;
     // (a b)' = a' b + a b'.
     EXPECT_EQ(derivative(product(a, b), 0),
-              sum(product(derivative(a, 0), b), product(a, derivative(b, 0))))
+              plus(product(derivative(a, 0), b), product(a, derivative(b, 0))))
         << loop;
     EXPECT_EQ(evaluate(derivative(derivative(a, 1), 1), x)[0], at(0)) << loop;
   }

@@ -163,7 +163,8 @@ class TetrahedronTerms {
         simplex_(simplex),
         path_(path) {}
 
-  void add_to(std::array<Form, 3>& sums) {
+  // To the first components' sums, one for each.
+  void add_to(std::span<Form> sums) {
     const int sum = model_.degree - (model_.control.is_separate ? 0 : 1);
     for_each_tetrahedral_index(sum, [&](const TetrahedralIndex& index) {
       const internal::DmsTable& table = frames_.table();
@@ -186,8 +187,8 @@ class TetrahedronTerms {
   }
   // N_β c(β)
   void add_value(const TetrahedralIndex& beta, const Form& spline,
-                 const SimplexFrame<Rational>& frame, std::array<Form, 3>& sums) const {
-    for (std::size_t c = 0; c < 3; ++c) {
+                 const SimplexFrame<Rational>& frame, std::span<Form> sums) const {
+    for (std::size_t c = 0; c < sums.size(); ++c) {
       const Rational factor = frame.volume * control(beta)[c];
       if (factor.sign() == Sign::kZero) continue;
       Form term{{}, spline.denominator * factor.denominator()};
@@ -197,10 +198,10 @@ class TetrahedronTerms {
   }
   // N_γ times the sum of λ_m c(γ + e_m)
   void add_affine(const TetrahedralIndex& gamma, const Form& spline,
-                  const SimplexFrame<Rational>& frame, std::array<Form, 3>& sums) {
+                  const SimplexFrame<Rational>& frame, std::span<Form> sums) {
     const std::vector<Integer>& lambda = at_corners(frame);
     const std::size_t n = simplex_.corners.size();
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < sums.size(); ++c) {
       std::array<const Rational*, 4> values{};
       for (std::size_t m = 0; m < 4; ++m) values[m] = &control(raised(gamma, m))[c];
       const Fractions four = over_one_denominator(values);
@@ -312,26 +313,37 @@ internal::DmsFrames& DmsPieces::frames(std::uint32_t tetrahedron) {
   return *frames_.emplace(tetrahedron, std::move(made)).first->second;
 }
 
-std::optional<std::vector<DmsPoint>> DmsPieces::coefficients(std::span<const DmsPoint> corners) {
+std::optional<std::vector<std::vector<Rational>>> DmsPieces::components(
+    std::span<const DmsPoint> corners, std::size_t num_components) {
   const auto place = evaluator_.locate(mean_of(corners));
   if (!place) return std::nullopt;
   if (frames_.size() > kMaxKeptTetrahedra) frames_.clear();
   const Simplex simplex = simplex_of(corners);
   const DmsMonomials& monomials = *monomials_[corners.size() - 3];
-  std::array<Form, 3> sums;
+  std::vector<Form> sums(num_components);
   for (const std::uint32_t t : evaluator_.near(place->path.start()))
     TetrahedronTerms(model_, t, frames(t), monomials, simplex, place->path).add_to(sums);
-  std::vector<DmsPoint> out;
+  std::vector<std::vector<Rational>> out(num_components);
   std::size_t k = 0;
   for (const Exponents& e : monomials.of_degree(static_cast<std::size_t>(model_.degree))) {
     Integer factor = multiplicity(e);
     for (std::size_t i = 0; i < corners.size(); ++i)
       for (int times = 0; times < e[i]; ++times) factor *= simplex.corners[i][0];
-    DmsPoint& b = out.emplace_back();
-    for (std::size_t c = 0; c < 3; ++c)
-      if (!sums[c].is_zero()) b[c] = Rational(sums[c].numerators[k], sums[c].denominator * factor);
+    for (std::size_t c = 0; c < num_components; ++c)
+      out[c].push_back(sums[c].is_zero()
+                           ? Rational()
+                           : Rational(sums[c].numerators[k], sums[c].denominator * factor));
     ++k;
   }
+  return out;
+}
+
+std::optional<std::vector<DmsPoint>> DmsPieces::coefficients(std::span<const DmsPoint> corners) {
+  auto parts = components(corners, 3);
+  if (!parts) return std::nullopt;
+  std::vector<DmsPoint> out(parts->front().size());
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < out.size(); ++i) out[i][c] = std::move((*parts)[c][i]);
   return out;
 }
 

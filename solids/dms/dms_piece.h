@@ -37,6 +37,9 @@ class DmsPieces {
   /// @cost each simplex spline whose knots' hull contains the mean of the corners, once, in integers over one common
   /// denominator each; at the end one greatest common divisor for each number
   std::optional<std::vector<DmsPoint>> coefficients(std::span<const DmsPoint> corners);
+  /// The coefficients of each of the first components of the map, as above. REQUIRES at most as many as there are.
+  std::optional<std::vector<std::vector<Rational>>> components(std::span<const DmsPoint> corners,
+                                                               std::size_t num_components);
 
  private:
   internal::DmsFrames& frames(std::uint32_t tetrahedron);

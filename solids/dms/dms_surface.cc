@@ -8,16 +8,18 @@
 #include "robust/base/check.h"
 #include "solids/dms/dms_evaluator.h"
 #include "solids/dms/dms_piece.h"
-#include "solids/dms/dms_values.h"
 
 namespace veritope {
 namespace {
 
-BezierTriangle<Rational> patch_of(int degree, std::vector<DmsPoint> coefficients) {
-  BezierTriangle<Rational> out(degree, 3, false);
-  for (int c = 0; c < 3; ++c)
-    for (std::size_t i = 0; i < coefficients.size(); ++i)
-      out.component(c)[i] = std::move(coefficients[i][static_cast<std::size_t>(c)]);
+// The first components of the map on a tile.
+BezierTriangle<Rational> map_on(DmsPieces& pieces, int degree, std::size_t num_components,
+                                const DmsTile& tile) {
+  const auto parts = pieces.components(tile.corners, num_components);
+  VT_CHECK(parts.has_value(), "points of the boundary lie in the closed domain");
+  BezierTriangle<Rational> out(degree, static_cast<int>(num_components), false);
+  for (std::size_t c = 0; c < num_components; ++c)
+    std::copy((*parts)[c].begin(), (*parts)[c].end(), out.component(static_cast<int>(c)).begin());
   return out;
 }
 
@@ -31,23 +33,6 @@ std::variant<std::vector<DmsTile>, DmsOpenFace> all_tiles(const DmsModel& model,
   return tiles;
 }
 
-BezierTriangle<Rational> map_on(const DmsModel& model, DmsEvaluator& evaluator,
-                                const SimplexInterpolation& interpolation, const DmsTile& tile) {
-  std::vector<std::vector<Rational>> values(model.num_components());
-  for (const DmsPoint& p : interpolation.points(tile.corners)) {
-    const auto place = evaluator.locate(p);
-    VT_CHECK(place.has_value(), "points of the boundary lie in the closed domain");
-    const DmsValue value = evaluator.evaluate(*place);
-    for (std::size_t c = 0; c < values.size(); ++c) values[c].push_back(value.value[c]);
-  }
-  BezierTriangle<Rational> out(model.degree, static_cast<int>(values.size()), false);
-  for (std::size_t c = 0; c < values.size(); ++c) {
-    const std::vector<Rational> coefficients = interpolation.coefficients(values[c]);
-    std::copy(coefficients.begin(), coefficients.end(), out.component(static_cast<int>(c)).begin());
-  }
-  return out;
-}
-
 }  // namespace
 
 std::vector<BezierTriangle<Rational>> patches_on(const DmsModel& model,
@@ -55,11 +40,7 @@ std::vector<BezierTriangle<Rational>> patches_on(const DmsModel& model,
                                                  const std::vector<DmsTile>& tiles) {
   DmsPieces pieces(model, evaluator);
   std::vector<BezierTriangle<Rational>> out;
-  for (const DmsTile& tile : tiles) {
-    auto coefficients = pieces.coefficients(tile.corners);
-    VT_CHECK(coefficients.has_value(), "points of the boundary lie in the closed domain");
-    out.push_back(patch_of(model.degree, std::move(*coefficients)));
-  }
+  for (const DmsTile& tile : tiles) out.push_back(map_on(pieces, model.degree, 3, tile));
   return out;
 }
 
@@ -75,11 +56,11 @@ std::variant<std::vector<DmsBoundaryPiece>, DmsOpenFace> boundary_pieces(
     const DmsModel& model, const TetrahedralComplex& complex) {
   const auto tiles = all_tiles(model, complex);
   if (const auto* const open = std::get_if<DmsOpenFace>(&tiles)) return *open;
-  const SimplexInterpolation interpolation(model.degree, 3);
-  DmsEvaluator evaluator(model);
+  const DmsEvaluator evaluator(model);
+  DmsPieces pieces(model, evaluator);
   std::vector<DmsBoundaryPiece> out;
   for (const DmsTile& tile : std::get<0>(tiles))
-    out.push_back({tile.corners, map_on(model, evaluator, interpolation, tile)});
+    out.push_back({tile.corners, map_on(pieces, model.degree, model.num_components(), tile)});
   return out;
 }
 

@@ -83,14 +83,12 @@ class Caster {
       }
   }
 
-  std::span<const double> sample(DmsSampler& sampler) { return sampler.values(points_); }
-
   // To sample k of all rays.
   void advance(DmsSampler& sampler, std::size_t k) {
     points_.clear();
     for (const std::size_t r : alive_)
       points_.push_back(internal::point_of(grid_, rays_[r].i, rays_[r].j, place(k)));
-    const auto values = sample(sampler);
+    const auto values = sampler.values(points_);
     now_.assign(values.begin(), values.end());
     find_crossings(sampler, k);
     for (std::size_t a = 0; a < alive_.size(); ++a) {
@@ -128,7 +126,7 @@ class Caster {
     for (const Crossing& c : crossings_)
       points_.push_back(
           internal::point_of(grid_, rays_[c.ray].i, rays_[c.ray].j, (c.inside + c.outside) / 2));
-    const auto values = sample(sampler);
+    const auto values = sampler.values(points_);
     for (std::size_t c = 0; c < crossings_.size(); ++c) {
       Crossing& crossing = crossings_[c];
       const double middle = (crossing.inside + crossing.outside) / 2;

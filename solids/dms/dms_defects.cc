@@ -255,6 +255,13 @@ DmsDefects find_geometry_defects(const DmsModel& model, std::size_t max_listed) 
   return DmsDefectSearch(model, max_listed).run();
 }
 
+DmsDefects find_attribute_defects(const DmsModel& model, std::size_t max_listed) {
+  DmsDefects out;
+  for (const DmsModel& own : model.attribute_domain)
+    add_defects_of_attributes(model, own, max_listed, out);
+  return out;
+}
+
 DmsDefects find_dms_defects(const DmsModel& model, std::size_t max_listed) {
   DmsDefects out = find_geometry_defects(model, max_listed);
   for (const DmsModel& own : model.attribute_domain)

@@ -70,5 +70,8 @@ struct DmsDefects {
 DmsDefects find_dms_defects(const DmsModel& model, std::size_t max_listed = 100);
 /// As find_dms_defects, for the geometry alone: an attribute domain is not looked at.
 DmsDefects find_geometry_defects(const DmsModel& model, std::size_t max_listed = 100);
+/// The rest of find_dms_defects: those of the attribute domain, and where the boundaries differ.
+/// REQUIRES a model whose geometry has no defects.
+DmsDefects find_attribute_defects(const DmsModel& model, std::size_t max_listed = 100);
 
 }  // namespace veritope

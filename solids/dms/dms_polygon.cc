@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <algorithm>
 #include <bit>
-#include <tuple>
 
 #include "solids/dms/dms_polygon_internal.h"
 

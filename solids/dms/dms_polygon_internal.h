@@ -22,7 +22,6 @@ class DmsPoints {
  public:
   std::uint32_t add(DmsPoint p);
   const ExactPoint3& at(std::uint32_t number) const { return points_[number]; }
-  std::size_t size() const { return points_.size(); }
 
  private:
   std::deque<ExactPoint3> points_;

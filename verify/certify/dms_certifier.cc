@@ -141,8 +141,7 @@ class DmsCertification {
 
   // The certificate is about the map alone, but a model whose attributes have no sound domain is not called VALID.
   std::optional<Finding> attribute_domain() const {
-    if (model_.attribute_domain.empty()) return std::nullopt;
-    const DmsDefects defects = find_dms_defects(model_, 1);
+    const DmsDefects defects = find_attribute_defects(model_, 1);
     if (defects.count == 0) return std::nullopt;
     const DmsDefect& first = defects.first[0];
     return reason(std::string(fault_name(first.fault)) + ": " + to_string(first), "not-covered");

@@ -89,7 +89,9 @@ DmsNumbers check_dms_boxes(const std::vector<std::vector<Ratio>>& triangles, int
   }
   StarBody star = read_star_body("VTS2", entities, part, [](StarBytes*) {});
   require(star.num_reversed == 0, id, "flags of triangles:", star.num_reversed);
-  const StarCheck check(&star, file_bytes + part.left(), false);
+  uint64_t bytes = file_bytes + part.left();
+  for (const Patch& patch : star.patches) bytes += patch.words();
+  const StarCheck check(&star, bytes, false);
   require(check.walks.bodies > 0, "W3", "there is no body");
   return DmsNumbers{check.x.components, check.walks.bodies, check.x.genus};
 }

@@ -89,6 +89,8 @@ struct Patch {
   uint32_t vertex[4], component;
 
   bool is_collapsed(int e) const { return pair[e] == kNoPair; }
+  // 64 bits each, of four numbers for each control point: what dms-solid.md, D3, counts.
+  uint64_t words() const { return uint64_t(shape.count()) * uint64_t((bits + 15) / 16); }
   uint64_t num_roots() const { return uint64_t(1) << (roots[0] + roots[1]); }
   int64_t bits_at(int level) const {  // h of the page's last paragraph
     return bits + (shape.p + shape.q) * (level + std::max(roots[0], roots[1]));

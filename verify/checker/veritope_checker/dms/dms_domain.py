@@ -3,6 +3,7 @@
 from ..common.errors import Reject
 from ..patches.star_box_2_check import Checker2
 from ..patches.star_box_read import Entity
+from ..patches.star_box_work import UNITS_OF_BYTE, words_of
 from .dms_map import box_of, det, multi_indices
 from .dms_near import scaled_planes
 from .dms_walls import Region, face_planes
@@ -46,6 +47,7 @@ def numbers_of_surface(data, statement, entities, skip, name):
     """The numbers of a part that is a body of star-box-2: D3 and T3."""
     checker = Checker2(b"VTS2", statement, data, entities, skip)
     checker.make_patches()
+    checker.work += UNITS_OF_BYTE * sum(map(words_of, checker.patches))
     numbers = checker.numbers()
     if any(checker.cert.flags) or numbers["bodies"] == 0:
         if name not in skip:

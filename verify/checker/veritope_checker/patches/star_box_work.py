@@ -16,6 +16,10 @@ def count(patch, times):
     p, q = (times * n for n in patch.both_degrees)
     return (p + 1) * (q + 1) if patch.is_tensor else (p + 1) * (p + 2) // 2
 
+def words_of(patch):
+    """64 bits each, of four numbers for each control point: what dms-solid.md, D3, counts."""
+    return count(patch, 1) * ((patch.bits + 15) // 16)
+
 def of_hull(node):
     return 2 + (count(node.patch, 1) * sum(node.patch.both_degrees) * bits_at(node.patch, node.level) >> 12)
 

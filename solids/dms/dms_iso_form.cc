@@ -237,7 +237,7 @@ std::pair<DmsIsoForm, DmsIsoForm> DmsIsoRule::cut(const DmsIsoForm& form, std::s
                                                   const Rational& t) const {
   const Interval far = enclose(t), near = enclose(Rational(1) - t);
   const ScopedUpward upward;
-  const auto [i, j] = kDmsEdges[edge];
+  const std::size_t i = kDmsEdges[edge][0], j = kDmsEdges[edge][1];
   const auto mix = [&](const Interval& a, const Interval& b) {
     return Interval::nonnegative_multiple(a, near) + Interval::nonnegative_multiple(b, far);
   };

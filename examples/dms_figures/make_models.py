@@ -104,6 +104,13 @@ def shell(x, y, z):
     return 0.5 + 0.5 * math.tanh(25 * (0.3 - math.dist((x, y, z), (0.5, 0.5, 0.5))))
 
 
+def scan_points(cells, seed):
+    """One point in each cell of a grid, near its middle: what a scan gives."""
+    draw = random.Random(seed)
+    return [tuple((i + draw.uniform(0.35, 0.65)) / cells for i in at)
+            for at in itertools.product(range(cells), repeat=3)]
+
+
 def cross(x, y, z):
     """Kinked on a plane: figure 12."""
     return abs(x + y / 2 - z / 4 - 0.6)
@@ -134,7 +141,7 @@ def main():
     inside = lambda row: sum(1 / 3 <= x <= 2 / 3 for x in row[:3]) >= 2
     rows = [row for row in cube_points(60000, cross, 12) if inside(row)][:6000]
     points(folder / "cross.txt", rows)
-    points(folder / "cross_points.txt", [row[:3] for row in rows[:3000]])
+    points(folder / "cross_points.txt", filter(inside, scan_points(20, 8)))
 
 
 if __name__ == "__main__":

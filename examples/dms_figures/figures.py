@@ -15,6 +15,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 SIZE = ["--size", "600,450"]
 SQUARE = ["--size", "300,300"]
 ABOVE = "--view=-1,2,-3"
+HARE = "--view=1,3,-1"
 
 
 def polyline(points, weight="1", width=4):
@@ -49,8 +50,9 @@ class Figures:
         print(f"{name}: {said.strip()}", flush=True)
 
     def fit(self, data, domain, out, *options):
-        report = json.loads(self.run("dms", "fit", data, "-o", out, "--domain", domain, "--degree", 2, *options,
-                                     "--json", "-", allowed=(0, 3)))
+        where = ["--domain", domain] if domain else ["--auto"]
+        report = json.loads(self.run("dms", "fit", data, "-o", out, *where, "--degree", 2, *options, "--json", "-",
+                                     allowed=(0, 3)))
         print(f"{out}: {report['points']} points, {report['tetrahedra']} tetrahedra, "
               f"{report['control_points']} control points, mean square error {report['attribute_mse'][0]:.3g}, "
               f"greatest error {report['max_error']}", flush=True)
@@ -99,11 +101,7 @@ class Figures:
     def figure4(self):
         part = HERE.parent / "sound_part.stl"
         self.run("dms", "domain", part, "-o", "part.vdms")
-        document = json.loads((self.folder / "part.vdms").read_text())
-        document["attributes"] = ["material"]
-        for control in document["control"]:
-            control["value"].append("0")
-        (self.folder / "part.vdms").write_text(json.dumps(document))
+        document = self.attach("part.vdms", "material")
         self.make("part.vdms", "part2.vdms", 2, "collapsed")
         places = [[float_of(x) for x in cloud[0]] for cloud in document["vertices"]]
         low, high = ([f(p[k] for p in places) for k in range(3)] for f in (min, max))
@@ -132,6 +130,32 @@ class Figures:
         self.picture("5b", "ring_made.vdms", "--mode", "iso", "--attribute", "density", "--level", "1/2",
                      "--within", "1/2", ABOVE, *SIZE, allowed=(0, 3))
 
+    # An animal, the surface on which a sum of four ellipsoids is 1; its domain; a stomach and two pipes inside of it.
+    def figure6(self):
+        self.run("dms", "iso", "hare.vdms", "--attribute", "inside", "--level", 1, "--within", 4, "-o", "hare.off")
+        self.run("dms", "domain", "hare.off", "-o", "animal.vdms")
+        self.picture("6b", "animal.vdms", HARE, *SIZE)
+        self.attach("animal.vdms", "digestion")
+        self.make("animal.vdms", "animal2.vdms", 2, "collapsed")
+        axes = [["3", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]
+        stomach = {"ellipsoid": {"centre": ["8", "9", "7"], "axes": axes}, "over": ["1"], "under": ["1", "1", "1"]}
+        pipes = [polyline(p, width=2) for p in ([(14, 9, 12), (12, 9, 10), (11, 9, 7)], [(5, 9, 7), (2, 9, 6)])]
+        self.edit("animal2.vdms", "digesting.vdms", [
+            {"move": "skeleton", "attribute": "digestion", "skeletons": [stomach, *pipes], "round": 40}])
+        self.picture("6c", "digesting.vdms", "--mode", "volume", "--attribute", "digestion", HARE, "--transfer",
+                     "0.05:59,82,139,0.02;0.3:59,82,139,0.05;0.6:94,201,98,0.5;1:253,231,37,3", *SQUARE)
+        self.picture("6d", "digesting.vdms", "--mode", "slice", "--attribute", "digestion", "--plane", "0,1,0,9",
+                     "--isolines", 9, *SIZE)
+
+    def attach(self, model, attribute):
+        """Gives a model of degree 1 one attribute, which is 0."""
+        document = json.loads((self.folder / model).read_text())
+        document["attributes"] = [attribute]
+        for control in document["control"]:
+            control["value"].append("0")
+        (self.folder / model).write_text(json.dumps(document))
+        return document
+
     # Data in a cube: the domain, fits with fixed and with free knots, and what they show.
     def figure7(self):
         self.fit("shell.txt", "cube.vdms", "shell.vdms", "--knots", "fixed", "--max-tetrahedra", 400)
@@ -144,6 +168,30 @@ class Figures:
         self.picture("8b", "hull.vdms", *SIZE)
         self.run("dms", "domain", "cross_points.txt", "-o", "cross_domain.vdms")
         self.picture("8c", "cross_domain.vdms", *SIZE)
+
+    # Feature lines of a scan, and the domain that a fit begins with.
+    def figure9(self):
+        report = json.loads(self.run("dms", "domain", "cross_points.txt", "-o", "cross_domain.vdms", "--json", "-"))
+        places = [cloud[0] for cloud in json.loads((self.folder / "cross_domain.vdms").read_text())["vertices"]]
+        curves = []
+        for line in report["feature_lines"]:
+            knots = [*map(str, [0, *range(len(line)), len(line) - 1])]
+            curves.append({"kind": "curve", "group": 0, "attributes": [], "shape": {
+                "degrees": [1], "periodic": [False], "knots": [knots], "rational": False, "components": 3,
+                "points": [places[v] for v in line]}})
+        document = {"format": "veritope-spline-1", "groups": [{"name": "lines", "parent": None, "attributes": []}],
+                    "entities": curves}
+        (self.folder / "features.vjson").write_text(json.dumps(document))
+        self.picture("9a", "features.vjson", *SIZE)
+        self.fit("cross_scan.txt", None, "scan.vdms")
+        self.picture("9b", "scan.vdms", *SIZE)
+
+    # Fits of data with a steep layer: control vectors only, and knots as well.
+    def figure10(self):
+        for name, knots in (("10a", "fixed"), ("10c", "free")):
+            self.fit("shell.txt", "small_cube.vdms", f"{knots}.vdms", "--knots", knots)
+            self.picture(name, f"{knots}.vdms", "--mode", "slice", "--attribute", "a", "--plane", "0,0,1,1/2",
+                         "--isolines", 9, *SIZE)
 
     def figure12(self):
         self.fit("cross.txt", "bars.vdms", "cross.vdms", "--knots", "fixed", "--max-tetrahedra", 1200)

@@ -116,6 +116,14 @@ def cross(x, y, z):
     return abs(x + y / 2 - z / 4 - 0.6)
 
 
+HARE = [((8, 9, 7), (6, 4, 4)), ((14, 9, 12), (3, 3, 3)), ((12, 6, 16), (2, 1, 4)), ((12, 12, 16), (2, 1, 4))]
+
+
+def hare(p):
+    """Higher than 1 in a body, a head and two ears, ellipsoids in a box of 20: the animal of figure 6."""
+    return sum(2 / (1 + sum(((a - m) / h)**2 for a, m, h in zip(p, middle, half))**2) for middle, half in HARE)
+
+
 def waves(x, y, z):
     """Figure 11."""
     return 0.5 + 0.25 * math.sin(9 * x) * math.cos(7 * y) + 0.25 * math.sin(8 * z + 3 * x)
@@ -136,12 +144,17 @@ def main():
     box((4, 4, 4)).write(folder / "cube.vdms", {"a": lambda p: 0})
     bars = box((9, 9, 9), keep=lambda *c: sum(3 <= k < 6 for k in c) >= 2)
     bars.write(folder / "bars.vdms", {"a": lambda p: 0})
+    animal = box((12, 11, 13), (0, 0, 0), (20, 18, 22))
+    animal.write(folder / "hare.vdms", {"inside": lambda p: hare(tuple(map(float, p)))})
+    box((3, 3, 3)).write(folder / "small_cube.vdms", {"a": lambda p: 0})
     points(folder / "shell.txt", cube_points(6000, shell, 7))
     points(folder / "waves.txt", cube_points(6000, waves, 11))
     inside = lambda row: sum(1 / 3 <= x <= 2 / 3 for x in row[:3]) >= 2
     rows = [row for row in cube_points(60000, cross, 12) if inside(row)][:6000]
     points(folder / "cross.txt", rows)
-    points(folder / "cross_points.txt", filter(inside, scan_points(20, 8)))
+    scan = list(filter(inside, scan_points(20, 8)))
+    points(folder / "cross_points.txt", scan)
+    points(folder / "cross_scan.txt", [(*p, cross(*p)) for p in scan])
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@ constexpr std::array<MoveKind, 5> kMoveKinds{
      {"coefficient", {"at", "tetrahedron", "beta", "attribute", "by", "to"}},
      {"knot", {"vertex", "knot", "by", "to"}},
      {"lattice", {"box", "degree", "counts", "nodes"}},
-     {"skeleton", {"attribute", "skeletons"}}}};
+     {"skeleton", {"attribute", "skeletons", "round"}}}};
 
 class DmsMoveReader : SplineJsonLexer {
  public:
@@ -57,6 +57,7 @@ class DmsMoveReader : SplineJsonLexer {
     std::vector<DmsLattice::Node> nodes;
     std::vector<const char*> nodes_at;
     std::vector<DmsSkeleton> skeletons;
+    std::uint64_t round_bits = 0;
 
     bool has(std::string_view key) const { return std::ranges::find(keys, key) != keys.end(); }
   };
@@ -146,6 +147,7 @@ bool DmsMoveReader::read_part(const std::string& key, Draft& draft) {
     return read_natural("a tetrahedron", model_.tetrahedra.size() - 1, draft.tetrahedron);
   if (key == "vertex") return read_natural("a vertex", model_.clouds.size() - 1, draft.vertex);
   if (key == "knot") return read_natural("a knot", kMaxDmsDegree, draft.knot);
+  if (key == "round") return read_natural("round", kMaxRoundBits, draft.round_bits);
   if (key == "attribute") return read_attribute(draft.attribute);
   if (key == "by" || key == "to")
     return draft.kind->name == "coefficient" ? read_coordinate(draft.amount[0])
@@ -323,7 +325,9 @@ bool DmsMoveReader::finish(Draft& draft) {
   if (draft.kind->name == "lattice") return finish_lattice(draft);
   if (draft.kind->name == "skeleton") {
     if (!require(draft, {"attribute", "skeletons"})) return false;
-    moves_.emplace_back(DmsSkeletonMove{draft.attribute, std::move(draft.skeletons)});
+    DmsSkeletonMove move{draft.attribute, std::move(draft.skeletons), std::nullopt};
+    if (draft.has("round")) move.round_bits = draft.round_bits;
+    moves_.emplace_back(std::move(move));
     return true;
   }
   if (draft.has("by") == draft.has("to"))

@@ -128,6 +128,12 @@ Rational polynomial_at(const std::vector<Rational>& coefficients, const Rational
   return sum;
 }
 
+Rational rounded(const Rational& x, std::uint64_t bits) {
+  Integer steps = floor_divide(x.numerator() << (bits + 1), x.denominator()) + Integer(1);
+  steps.shift_right(1);
+  return Rational(std::move(steps), Integer(1) << bits);
+}
+
 Status apply(DmsModel& model, const DmsSkeletonMove& move) {
   for (std::size_t i = 0; i < model.num_control(); ++i) {
     const DmsPoint at = place_of(model, i);
@@ -142,7 +148,12 @@ Status apply(DmsModel& model, const DmsSkeletonMove& move) {
                             at[2].to_string() + ")");
       sum += skeleton.weight * polynomial_at(skeleton.over, s) / under;
     }
-    if (const Status status = check_dms_number(sum); !status) return status;
+    if (move.round_bits) sum = rounded(sum, *move.round_bits);
+    if (const Status status = check_dms_number(sum); !status) {
+      Error error = status.error();
+      error.message += "; the key 'round' of a skeleton move makes them short";
+      return error;
+    }
     value_of(model, i)[3 + move.attribute] = std::move(sum);
   }
   return ok_status();

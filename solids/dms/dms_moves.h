@@ -62,10 +62,14 @@ struct DmsSkeleton {
   std::vector<Rational> over, under;                        ///< from the constant term on
   Rational weight{1};
 };
+inline constexpr std::uint64_t kMaxRoundBits = 1000;
 /// Each coefficient of the attribute becomes the sum of the skeletons' fields at its control point.
 struct DmsSkeletonMove {
   std::size_t attribute = 0;
   std::vector<DmsSkeleton> skeletons;
+  /// If there is one: the sum is rounded to the nearest multiple of 2^-round_bits, of two the greater one.
+  /// REQUIRES at most kMaxRoundBits.
+  std::optional<std::uint64_t> round_bits;
 };
 
 using DmsMove =

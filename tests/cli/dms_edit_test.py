@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """veritope dms refine, boundary and edit: values before and after, beside fractions; surfaces that certify decides; refusals."""
 import json
+import math
 import re
 import unittest
 from fractions import Fraction as F
@@ -167,6 +168,18 @@ class DmsEdit(Folder):
             self.assertEqual(new["value"], texts([*x, 1 / (1 + s) - (2 + r) / (2 * (1 + r * r)) + 3 / (1 + 2 * e)]))
         self.assertGreater(inside, 1)
 
+    def test_skeletons_are_rounded_if_that_is_asked_for(self):
+        field = {"point": ["1/3", "1/7", "2"], "over": ["-1"], "under": ["1", "1"]}
+        exact = self.edit([{"move": "skeleton", "attribute": "density", "skeletons": [field]}])
+        for bits in 0, 1, 5, 60:
+            after = self.edit([{"move": "skeleton", "attribute": "density", "skeletons": [field], "round": bits}])
+            for old, new in zip(exact["control"], after["control"]):
+                nearest = F(math.floor(F(old["value"][3]) * 2**bits + F(1, 2)), 2**bits)
+                self.assertEqual(new["value"], [*old["value"][:3], str(nearest)])
+        long = {**field, "point": [str(F(1, 3**400 + k)) for k in (1, 5, 7)], "under": ["1", "0", "1"]}
+        self.unedited([{"move": "skeleton", "attribute": "density", "skeletons": [long]}], 4, "the key 'round'")
+        self.edit([{"move": "skeleton", "attribute": "density", "skeletons": [long], "round": 40}])
+
     def test_scripts_that_break_conditions_are_refused(self):
         self.unedited([{"move": "knot", "vertex": 3, "knot": 0, "to": ["0", "0", "-1"]}], 1, "after the moves: tet-reversed: tetrahedron 0")
         self.unedited([{"move": "knot", "vertex": 1, "knot": 1, "by": ["-9", "0", "0"]}], 1, "after the moves: cloud-degenerate: tetrahedron 0, beta (0,1,0,0): d < 0")
@@ -195,6 +208,7 @@ class DmsEdit(Folder):
                             ({**node, "degree": [1, 2, 1]}, "more nodes than its degree"), ({**node, "counts": [2, 2]}, "must have 3 items, not 2"),
                             ({**node, "nodes": [{"at": [0, 0, 2], "by": point}]}, "number 2 of 2 along axis 2"),
                             ({**node, "nodes": [{"at": [0, 0, 0]}]}, "the key 'by' is missing"),
+                            ({"move": "skeleton", "attribute": "density", "skeletons": [], "round": 1001}, "s.json: line 2"),
                             ({"move": "skeleton", "attribute": "density", "skeletons": [field]}, "one of the keys 'point', 'polyline'"),
                             ({"move": "skeleton", "attribute": "density", "skeletons": [{**field, "point": point, "polyline": [point]}]}, "one of the keys"),
                             ({"move": "skeleton", "attribute": "density", "skeletons": [{**field, "polyline": []}]}, "at least one point"),

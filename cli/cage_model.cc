@@ -41,7 +41,12 @@ Result<CagedModel> read_caged_model(const std::string& path, const ModelReadOpti
     out.is_mesh = true;
     out.content = content_of(mesh->mesh);
   } else {
-    Result<CageContent> content = content_of_splines(std::get<SplineFile>(*file));
+    const auto* const splines = std::get_if<SplineFile>(&*file);
+    Result<CageContent> content =
+        splines != nullptr
+            ? content_of_splines(*splines)
+            : Result<CageContent>(
+                  bad_argument(std::string("no cage is made around ") + title_of(kind_of(*file))));
     if (!content) {
       Error error = content.error();
       error.place.file = path;

@@ -164,6 +164,8 @@ std::string wrong_options(const CageOptions& o) {
   if (*o.output != "-" && !o.output->ends_with(".vjson"))
     return "the name " + *o.output + " does not end in .vjson";
   if (std::string wrong = foreign_option(o); !wrong.empty()) return wrong;
+  if (o.output == "-" && o.json == "-")
+    return "--output and --json would both write standard output";
   if (o.around == "-" || o.of == "-" || o.field == "-")
     return "- is not read: the model needs a file";
   if (o.margin && !o.around && *o.kind != CageKind::kFit) return "--margin needs --around";

@@ -16,6 +16,7 @@
 #include "io/mesh/write_mesh.h"
 #include "io/micro/write_micro.h"
 #include "io/read_model.h"
+#include "io/splines/spline_text_reader.h"
 #include "io/splines/volumes.h"
 #include "io/splines/write_splines.h"
 #include "report/micro_run_report.h"
@@ -215,10 +216,24 @@ class MicroRun {
         });
     if (misplaced) return refute({"place", {}, {}, {}, misplaced->message});
     if (!filled) return refuse_cells(filled.error());
+    if (options_.doubled_from)
+      if (const auto glued = find_halved_neighbour())
+        return refute({"cage", {}, {}, v_face_name(5), *glued});
     take(std::move(*filled));
     if (!options_.thickness || !micro_.has_walls()) return kExitValid;
     const Status numbered = number_walls_by(*options_.thickness, *model_, kCapLimits, micro_);
     return numbered ? kExitValid : refute({"thickness", {}, {}, {}, numbered.error().message});
+  }
+  // A wall with cells of half the width on one side only: the face w = 1 of a volume, glued to one that is no w = 1.
+  std::optional<std::string> find_halved_neighbour() const {
+    for (std::size_t c = 0; c < cage_.size(); ++c) {
+      const VFaceRole& role = model_->face(c, 5);
+      if (role.is_glued() && role.mate % 6 != 5)
+        return "cells of half the width do not fit: the face w1 of volume " + std::to_string(c) +
+               " is glued to the face " + v_face_name(role.mate % 6) + " of volume " +
+               std::to_string(role.mate / 6);
+    }
+    return std::nullopt;
   }
   void take(Microstructure filled) {
     micro_ = std::move(filled);
@@ -255,7 +270,7 @@ class MicroRun {
     return std::make_shared<TilePlaces>(*options_.place, choices_.size());
   }
   static std::string file_name(const std::string& path) {
-    return path.substr(path.find_last_of('/') + 1);
+    return to_utf8(path.substr(path.find_last_of('/') + 1));
   }
 
   ExitCode analyse() {
@@ -419,7 +434,7 @@ class MicroRun {
 
   ExitCode add_materials() {
     for (const auto& [name, formula] : options_.materials) {
-      Result<MicroMaterial> material = material_by(formula, name, micro_);
+      Result<MicroMaterial> material = material_by(formula, to_utf8(name), micro_);
       if (!material)
         return refute({"material", {}, {}, {}, name + ": " + material.error().message});
       micro_.materials.push_back(std::move(*material));

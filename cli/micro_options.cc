@@ -72,7 +72,23 @@ std::string fault_of_open_tiles(const MicroOptions& o) {
   return "";
 }
 
+// An output that is standard output has it alone.
+std::string fault_of_streams(const MicroOptions& o) {
+  if (o.cage == "-" || o.model == "-") return "- is not read: the cage and the model need files";
+  const char* first = nullptr;
+  for (const auto& [option, path] :
+       {std::pair{"--output", &o.output}, std::pair{"--mesh", &o.mesh},
+        std::pair{"--emit", &o.emit}, std::pair{"--list", &o.list}, std::pair{"--json", &o.json}}) {
+    if (*path != "-") continue;
+    if (first != nullptr)
+      return std::string(first) + " and " + option + " would both write standard output";
+    first = option;
+  }
+  return "";
+}
+
 std::string fault_of_micro(const MicroOptions& o) {
+  if (std::string why = fault_of_streams(o); !why.empty()) return why;
   if (!o.cage) return "--cage is required, a spline file of volumes";
   if (o.tiles.empty()) return "--tile is required, such as jack";
   if (o.tiles.size() > 1 && !o.place) return "several tiles need --place, a formula";

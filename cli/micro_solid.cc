@@ -17,8 +17,10 @@ Result<std::unique_ptr<const MicroSolid>> MicroSolid::read(const std::string& pa
                                                            const ModelReadOptions& reading) {
   Result<ModelFile> file = read_model_file(path, reading);
   if (!file) return file.error();
-  Error error{Code::kBadArgument, {}, "a microstructure is no solid for --model"};
-  if (!std::holds_alternative<MicroFile>(*file)) {
+  Error error{
+      Code::kBadArgument, {}, title_of(kind_of(*file)) + std::string(" is no solid for --model")};
+  if (const ModelKind kind = kind_of(*file);
+      kind == ModelKind::kMesh || kind == ModelKind::kSplines) {
     std::unique_ptr<MicroSolid> out(new MicroSolid(std::move(*file)));
     const Status decided = out->decide(static_cast<unsigned>(reading.jobs));
     if (decided) return std::unique_ptr<const MicroSolid>(std::move(out));

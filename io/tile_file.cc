@@ -210,7 +210,8 @@ bool has_polygons_and_splines(const ModelFile& file) {
 Result<MicroTile> tile_of(const ModelFile& file, const std::string& name, TileFacets facets,
                           const MeshFile* polygons) {
   TileParts parts;
-  std::optional<Error> error = bad_argument("the file is a microstructure, not a tile");
+  std::optional<Error> error =
+      bad_argument(std::string("the file is ") + title_of(kind_of(file)) + ", not a tile");
   if (const auto* const mesh = std::get_if<MeshFile>(&file))
     error = add_mesh(*mesh, parts);
   else if (const auto* const splines = std::get_if<SplineFile>(&file))

@@ -24,8 +24,9 @@ std::string segment_json_text(const DmsSegmentReport& segment) {
 }
 
 std::string middle_text(const Interval& a) {
-  const double m = mid(a);
-  return std::isfinite(m) ? scientific_text(Rational::from_double(m)) : "inf";
+  if (std::isinf(inf(a))) return "-inf";  // beyond binary64
+  if (std::isinf(sup(a))) return "inf";
+  return scientific_text(Rational::from_double(mid(a)));
 }
 
 }  // namespace

@@ -297,15 +297,21 @@ bool MicroReader::read_bits(std::size_t grid, std::size_t tile) {
                     std::to_string(bytes_left()) + " bytes follow");
   if (tile == 0) tiles.assign(count, 0);
   for (std::size_t d = 0; d < num_digits; ++d, ++p_) {
-    const char c = *p_;
+    const char* const at = p_;
+    char c = *p_;
     if (c == '0') continue;
+    if (c == '\\') {
+      std::string escaped;
+      if (++p_; !read_escape(escaped)) return false;
+      --p_, c = escaped.size() == 1 ? escaped[0] : '\\';
+    }
     const bool is_hex = is_digit(c) || (c >= 'a' && c <= 'f');
     if (!is_hex)
-      return fail(p_, Code::kSyntax,
+      return fail(at, Code::kSyntax,
                   where + "digit " + std::to_string(d) + " of " + std::to_string(num_digits) +
                       " of the cells that hold tile " + std::to_string(tile) +
                       " must be a lower-case hexadecimal digit, not " +
-                      quoted(std::string_view(p_, 1)));
+                      quoted(std::string_view(at, 1)));
     const auto digit = static_cast<unsigned>(is_digit(c) ? c - '0' : c - 'a' + 10);
     for (std::size_t k = 0; k < 4; ++k) {
       if ((digit & (8u >> k)) == 0) continue;

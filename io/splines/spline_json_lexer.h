@@ -30,6 +30,8 @@ class SplineJsonLexer : public SplineTextReader {
   /// Reads a null; false if the next token is something else.
   bool take_null();
   bool read_string(std::string& text);
+  /// Adds the character after a backslash, which has been read.
+  bool read_escape(std::string& text);
   bool read_bool(bool& value);
   /// Reads a number that consists of digits, up to `most`; `what` names it in messages: "a degree".
   bool read_natural(const char* what, std::uint64_t most, std::uint64_t& value);
@@ -51,7 +53,6 @@ class SplineJsonLexer : public SplineTextReader {
   bool read_members(Value value);
 
  private:
-  bool read_escape(std::string& text);
   bool read_hex4(unsigned& code);
 };
 

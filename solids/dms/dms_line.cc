@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "interval/functions.h"
+#include "interval/numeric.h"
 #include "interval/upward.h"
 #include "solids/dms/dms_table.h"
 #include "splines/dms_spline.h"
@@ -214,14 +215,32 @@ Rational DmsLineIntegrator::mean(const DmsLine& line, std::size_t component) {
   return sum;
 }
 
-DmsAbsorption absorption(const DmsLine& line, const Rational& mean) {
-  const DmsPoint d = direction_of(line);
-  const Interval squared = enclose(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-  Interval integral;
+namespace {
+
+// Of numbers whose squares binary64 does not have, too.
+Interval root_of(const Rational& x) {
+  if (x.sign() == Sign::kZero) return Interval(0.0);
+  const auto bits = [](const Integer& n) { return static_cast<std::int64_t>(n.bit_length()); };
+  const std::int64_t half = (bits(x.numerator()) - bits(x.denominator())) / 2;
+  const Interval near_one = enclose(x * Rational::power_of_two(-2 * half));
+  Interval root;
   {
     const ScopedUpward upward;
-    integral = sqrt(squared) * enclose(mean);
+    root = sqrt(near_one);
   }
+  const auto moved = [&](double end) {
+    return enclose(Rational::from_double(end) * Rational::power_of_two(half));
+  };
+  return Interval::from_bounds(inf(moved(inf(root))), sup(moved(sup(root))));
+}
+
+}  // namespace
+
+DmsAbsorption absorption(const DmsLine& line, const Rational& mean) {
+  const DmsPoint d = direction_of(line);
+  const Rational squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+  Interval integral = root_of(mean * mean * squared);
+  if (mean.sign() == Sign::kNegative) integral = -integral;
   return {integral, exp(-integral)};
 }
 

@@ -123,7 +123,8 @@ TEST(Integer, MayBeAnOperandOfItsOwnOperation) {
     SCOPED_TRACE("seed 1, " + x.get_str());
     Integer sum = as_integer(x), difference = sum, product = sum, with_product = sum, without_product = sum, same = sum;
     sum += sum;
-    difference -= difference;
+    const Integer& subtracted = difference;
+    difference -= subtracted;
     product *= product;
     with_product.add_product(with_product, with_product);
     without_product.subtract_product(without_product, without_product);

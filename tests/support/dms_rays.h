@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solids/dms/dms_xray.h"
+#include "tests/support/dms_laws.h"
 #include "tests/support/dms_lines.h"
 
 namespace veritope {

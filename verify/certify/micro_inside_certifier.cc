@@ -130,13 +130,10 @@ InsideAnswer answer_for(const Microstructure& micro, const MicroProof& proof,
   return InsideCase{std::move(statement), std::move(patches.body),
                     std::get<InsideProof>(std::move(inside))};
 }
-InsideAnswer answer_for(const Microstructure&, const MicroProof&, const MicroFile&,
-                        const ModelFile&, const CertifyOptions&) {
-  return model_finding("not-covered", "a microstructure is no solid for --model");
-}
-InsideAnswer answer_for(const Microstructure&, const MicroProof&, const DmsFile&, const ModelFile&,
+template <typename File>
+InsideAnswer answer_for(const Microstructure&, const MicroProof&, const File&, const ModelFile&,
                         const CertifyOptions&) {
-  return model_finding("not-covered", "a simplex-spline solid is no solid for --model");
+  return model_finding("not-covered", File::kTitle + std::string(" is no solid for --model"));
 }
 
 }  // namespace

@@ -63,8 +63,7 @@ FastDmsBackEnd widest_fast_dms_back_end() {
 class FastDms::Work {
  public:
   Work(const DmsModel& model, const FastDmsOptions& options)
-      : model_(model),
-        options_(options),
+      : options_(options),
         evaluator_(model),
         kernels_(checked_kernels(options.back_end)),
         components_(model.num_components()),
@@ -317,7 +316,6 @@ class FastDms::Work {
     bounds[at] = is_finite ? round_up(off) : kInfinity;
   }
 
-  const DmsModel& model_;
   FastDmsOptions options_;
   DmsEvaluator evaluator_;
   const FastDmsKernels* kernels_;

@@ -198,7 +198,7 @@ std::vector<DmsIndex> dms_indices(int sum) {
   return r;
 }
 DmsFile read_dms(const std::string& text) {
-  size_t at = 0;
+  size_t at = begin_of_text(text);
   try {
     DmsReader reader(text, &at);
     reader.file();

@@ -252,7 +252,7 @@ struct MicroReader : MicroParts {
 }  // namespace
 
 MicroFile read_micro(const std::string& text) {
-  size_t at = 0;
+  size_t at = begin_of_text(text);
   try {
     MicroReader reader(text, &at);
     reader.file();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // star_model.cc: numbers and checks of spline models, docs/formats/spline-json.md; the table of formats.
 #include "star_model.h"
+#include "json_reader.h"
 
 namespace {
 
@@ -157,7 +158,7 @@ namespace {
 
 std::vector<Entity> read_entities(const std::string& file, const std::string& format,
                                   bool has_volumes) {
-  size_t at = file.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
+  size_t at = begin_of_text(file);
   try {
     return format == "itd"    ? read_itd_model(file, has_volumes, &at)
            : format == "g2"   ? read_g2_model(file, &at)

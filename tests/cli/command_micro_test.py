@@ -56,6 +56,45 @@ class MicroCommand(support.Folder):
             self.assertEqual(file["counts"][key], report[key], key)
         return report
 
+    def refused(self, words, status, *arguments):
+        done = run("micro", "--cage", self.box, "--tile", "jack", "--counts", "2,2,2", *arguments, cwd=self.folder)
+        self.assertEqual((done.returncode, done.stdout), (status, ""), done.stderr)
+        self.assertIn(words, " ".join(done.stderr.split()))
+        self.assertFalse(self.out.exists())
+
+    def test_models_of_other_kinds_and_shared_streams_are_refused(self):
+        solid = support.MODELS / "dms" / "tetrahedron.vdms"
+        self.refused("a simplex-spline solid is no solid for --model", 4, "-o", self.out, "--model", solid)
+        self.refused("would both write standard output", 2, "-o", "-", "--json", "-")
+        self.refused("would both write standard output", 2, "-o", self.out, "--list", "-", "--json", "-")
+        self.refused("- is not read", 2, "-o", self.out, "--model", "-")
+        self.micro(counts="1,1,1")
+        for model in self.out, solid:
+            done = run("cage", "box", "--around", model, "-o", self.folder / "c.vjson")
+            self.assertEqual(done.returncode, 4)
+            self.assertIn("no cage is made around", done.stderr)
+
+    def test_volumes_that_are_glued_along_w_are_not_doubled(self):
+        cage = json.loads(self.box.read_text())
+        above = json.loads(json.dumps(cage["entities"][0]))
+        for point in above["shape"]["points"]:
+            point[2] = str(Fraction(point[2]) + 8)
+        cage["entities"].append(above)
+        two = self.folder / "two.vjson"
+        two.write_text(json.dumps(cage))
+        report = self.micro("--double", "w=1", cage=two, counts="2,2,2", tile="jack", expect=1)
+        self.assertEqual([(d["code"], d["wall"]) for d in report["defects"]], [("cage", "w1")])
+        self.micro(cage=two, counts="2,2,2", tile="jack")
+
+    def test_marks_escapes_and_names_are_read_by_all(self):
+        solid = self.folder / "m\udcff.off"
+        solid.write_text(cube(1, 7))
+        self.micro("--model", solid)
+        text = self.out.read_bytes()
+        at = text.index(b'["', text.index(b'"cells"')) + 2
+        self.out.write_bytes(b"\xef\xbb\xbf" + text[:at] + b"\\u%04x" % text[at] + text[at + 1:])
+        self.assertEqual(support.only_file(self.out)["verdict"], "VALID")
+
     def test_a_block_of_jacks_has_the_genus_of_its_graph(self):
         for tile in ("jack", "jack,degree=1", "jack,node=1/4,cap=0.2"):
             report = self.micro(tile=tile, counts="3,4,5")

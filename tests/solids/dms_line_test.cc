@@ -248,6 +248,16 @@ TEST(DmsLine, WeightsAddUpToTheShareInsideOfTheDomain) {
   EXPECT_EQ(sum, ratio(2, 5));
 }
 
+TEST(DmsLine, LengthsWhoseSquaresOverflowAreRight) {
+  for (const int exponent : {-3000, -700, 700, 3000}) {
+    const Rational length = Rational::power_of_two(exponent);
+    const DmsAbsorption a = absorption({{0, 0, 0}, {length, 2 * length, 2 * length}},
+                                       -Rational::power_of_two(-exponent));
+    EXPECT_TRUE(contains(a.integral, Rational(-3))) << exponent;
+    EXPECT_LE(wid(a.integral), 1e-14) << exponent;
+  }
+}
+
 TEST(DmsLine, AbsorptionIsEnclosed) {
   const DmsAbsorption a = absorption({{0, 0, 0}, {1, 2, 2}}, ratio(1, 3));
   EXPECT_TRUE(contains(a.integral, Rational(1)));

@@ -12,6 +12,7 @@
 
 #include "bench/arguments.h"
 #include "bench/dms_recurrence.h"
+#include "bench/print_row.h"
 #include "bench/stopwatch.h"
 #include "robust/base/random.h"
 #include "solids/dms/dms_make.h"
@@ -35,17 +36,6 @@ double least_ns(int passes, std::size_t points, Run run) {
     ns = std::min(ns, watch.ns() / static_cast<double>(points));
   }
   return ns;
-}
-
-void print_row(const std::string& row, double ours, double peer, const std::string& more) {
-  std::printf("{\"row\":\"%s\",\"ours\":%.1f,\"peer\":", row.c_str(), ours);
-  if (peer > 0) {
-    std::printf("%.1f,\"ratio\":%.4f", peer, ours / peer);
-  } else {
-    std::printf("null");
-  }
-  std::printf(",\"unit\":\"ns\"%s%s}\n", more.empty() ? "" : ",", more.c_str());
-  std::fflush(stdout);
 }
 
 // The identity, but for control points moved at random by up to 1/32.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// bench/bench_dms_xray.cc: an x-ray of 256 x 256 rays through 2,058 quadratic tetrahedra of a cube, clouds of a tenth
-// of the edge, one thread. The attribute is the waves of table 1.
+// bench/bench_dms_xray.cc: one thread draws an x-ray of 256 x 256 rays through 2,058 quadratic tetrahedra of a cube.
+// Clouds reach a tenth of the edge; the attribute is the waves of table 1.
 //   xray_vs_sampling   ns a ray, plans and weights included, beside sums of FastDms values, without bounds, at
 //                      multiples of a constant step, times the square root of 1/2 until no ray of 64 is wrong by more
 //                      than 1e-6; given up at 64 times our ns (peer_reached: false)
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "bench/arguments.h"
+#include "bench/print_row.h"
 #include "bench/stopwatch.h"
 #include "robust/base/random.h"
 #include "solids/dms/dms_make.h"
@@ -30,17 +31,6 @@ using namespace veritope::bench;
 
 constexpr std::size_t kAttribute = 3, kComponents = 4;
 constexpr double kWanted = 1e-6;
-
-void print_row(const std::string& row, double ours, double peer, const std::string& more) {
-  std::printf("{\"row\":\"%s\",\"ours\":%.0f,\"peer\":", row.c_str(), ours);
-  if (peer > 0) {
-    std::printf("%.0f,\"ratio\":%.4f", peer, ours / peer);
-  } else {
-    std::printf("null");
-  }
-  std::printf(",\"unit\":\"ns\",%s}\n", more.c_str());
-  std::fflush(stdout);
-}
 
 DmsModel made_model(int degree, int side) {
   DmsModel domain = kuhn_domain({side, side, side});

@@ -14,7 +14,7 @@ namespace {
 const char kUsage[] =
     "usage: veritope-check MODEL CERT [ANSWERS] [--model M]\n"
     "Checks the certificate CERT about the model MODEL (STL, OBJ, PLY, OFF, vjson, itd, g2, MFEM,\n"
-    "vmicro, or a chain file, whose operands are read, too). ANSWERS is the file of classified\n"
+    "vmicro, vdms, or a chain file, whose operands are read, too). ANSWERS is the file of classified\n"
     "points that the claim points-1 needs, M the solid that micro-inside-1 needs, and no other.\n"
     "Prints ACCEPT with the claim and exits with 0, or REJECT with the condition that fails and\n"
     "exits with 1. Other exit codes: 2 usage; 3 out of memory; 4 a file cannot be opened, the\n"

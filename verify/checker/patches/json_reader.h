@@ -4,11 +4,6 @@
 #pragma once
 #include "star_model.h"
 
-// Where the text of a file begins: after a UTF-8 byte order mark, if there is one.
-inline size_t begin_of_text(const std::string& file) {
-  return file.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
-}
-
 struct JsonReader {
   const std::string& text;
   size_t& at;

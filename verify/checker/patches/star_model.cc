@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // star_model.cc: numbers and checks of spline models, docs/formats/spline-json.md; the table of formats.
 #include "star_model.h"
-#include "json_reader.h"
 
 namespace {
 

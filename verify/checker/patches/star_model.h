@@ -25,6 +25,10 @@ void check_entity(const Entity& e, const std::vector<bool>& periodic);
 std::vector<uint64_t> first_axis_fastest(const std::vector<uint64_t>& stored,
                                          const std::vector<uint64_t>& given);
 
+// Where the text of a file begins: after a UTF-8 byte order mark, if there is one.
+inline size_t begin_of_text(const std::string& file) {
+  return file.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
+}
 // "line 3, at 'x': ", for messages about files of tokens.
 std::string line_and_token(const std::string& file, size_t at);
 

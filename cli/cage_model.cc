@@ -30,30 +30,28 @@ Result<CageContent> content_of_splines(const SplineFile& file) {
   return content_of(source->patches);
 }
 
+Result<CageContent> content_of_file(const ModelFile& file) {
+  if (const auto* const mesh = std::get_if<MeshFile>(&file)) return content_of(mesh->mesh);
+  if (const auto* const splines = std::get_if<SplineFile>(&file))
+    return content_of_splines(*splines);
+  return bad_argument(std::string("no cage is made around ") + title_of(kind_of(file)));
+}
+
 }  // namespace
 
 Result<CagedModel> read_caged_model(const std::string& path, const ModelReadOptions& reading) {
   Result<ModelFile> file = read_model_file(path, reading);
   if (!file) return file.error();
+  Result<CageContent> content = content_of_file(*file);
+  if (!content) {
+    Error error = content.error();
+    error.place.file = path;
+    return error;
+  }
   CagedModel out;
   out.sha256 = sha256_of(*file);
-  if (const auto* const mesh = std::get_if<MeshFile>(&*file)) {
-    out.is_mesh = true;
-    out.content = content_of(mesh->mesh);
-  } else {
-    const auto* const splines = std::get_if<SplineFile>(&*file);
-    Result<CageContent> content =
-        splines != nullptr
-            ? content_of_splines(*splines)
-            : Result<CageContent>(
-                  bad_argument(std::string("no cage is made around ") + title_of(kind_of(*file))));
-    if (!content) {
-      Error error = content.error();
-      error.place.file = path;
-      return error;
-    }
-    out.content = std::move(*content);
-  }
+  out.is_mesh = std::holds_alternative<MeshFile>(*file);
+  out.content = std::move(*content);
   if (out.content.num_parts() > 0) return out;
   Error error{Code::kEmpty, {}, "there is nothing in it that a cage could contain"};
   error.place.file = path;

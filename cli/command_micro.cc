@@ -16,7 +16,6 @@
 #include "io/mesh/write_mesh.h"
 #include "io/micro/write_micro.h"
 #include "io/read_model.h"
-#include "io/splines/spline_text_reader.h"
 #include "io/splines/volumes.h"
 #include "io/splines/write_splines.h"
 #include "report/micro_run_report.h"
@@ -204,6 +203,9 @@ class MicroRun {
       return fail(bad_argument("--counts has numbers for " +
                                std::to_string(options_.counts.size()) +
                                " volumes, and the cage has " + std::to_string(cage_.size())));
+    if (options_.doubled_from)
+      if (const auto glued = find_halved_neighbour())
+        return refute({"cage", {}, {}, v_face_name(5), *glued});
     std::optional<Error> misplaced;
     Result<Microstructure> filled = filled_cage(
         [&, places = places()](const VVolume& volume, const MicroGrid& grid, std::uint64_t cell) {
@@ -216,15 +218,12 @@ class MicroRun {
         });
     if (misplaced) return refute({"place", {}, {}, {}, misplaced->message});
     if (!filled) return refuse_cells(filled.error());
-    if (options_.doubled_from)
-      if (const auto glued = find_halved_neighbour())
-        return refute({"cage", {}, {}, v_face_name(5), *glued});
     take(std::move(*filled));
     if (!options_.thickness || !micro_.has_walls()) return kExitValid;
     const Status numbered = number_walls_by(*options_.thickness, *model_, kCapLimits, micro_);
     return numbered ? kExitValid : refute({"thickness", {}, {}, {}, numbered.error().message});
   }
-  // A wall with cells of half the width on one side only: the face w = 1 of a volume, glued to one that is no w = 1.
+  // Says which face w1 is glued to a face that is no w1: halved cells would meet whole ones there.
   std::optional<std::string> find_halved_neighbour() const {
     for (std::size_t c = 0; c < cage_.size(); ++c) {
       const VFaceRole& role = model_->face(c, 5);
@@ -237,7 +236,7 @@ class MicroRun {
   }
   void take(Microstructure filled) {
     micro_ = std::move(filled);
-    if (solid_) micro_.model = MicroModelName{file_name(*options_.model), report_.model->sha256};
+    if (solid_) micro_.model = MicroModelName{stored_name(*options_.model), report_.model->sha256};
     report_.cells = 0;
     for (const MicroGrid& grid : micro_.grids) report_.cells += grid.tiles.size();
     report_.kinds = micro_.tiles.size();
@@ -268,9 +267,6 @@ class MicroRun {
   std::shared_ptr<TilePlaces> places() const {
     if (!options_.place) return nullptr;
     return std::make_shared<TilePlaces>(*options_.place, choices_.size());
-  }
-  static std::string file_name(const std::string& path) {
-    return to_utf8(path.substr(path.find_last_of('/') + 1));
   }
 
   ExitCode analyse() {
@@ -434,7 +430,7 @@ class MicroRun {
 
   ExitCode add_materials() {
     for (const auto& [name, formula] : options_.materials) {
-      Result<MicroMaterial> material = material_by(formula, to_utf8(name), micro_);
+      Result<MicroMaterial> material = material_by(formula, name, micro_);
       if (!material)
         return refute({"material", {}, {}, {}, name + ": " + material.error().message});
       micro_.materials.push_back(std::move(*material));

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/micro_emit.h"
 #include "io/formats.h"
+#include "io/splines/spline_text_reader.h"
 #include "solids/micro/microstructure.h"
 #include "solids/micro/synthesis/wall_thickness.h"
 
@@ -20,7 +21,7 @@ Result<RealFormula> formula_of(const std::string& text) {
 std::string take_material(const std::string& text, MicroOptions& options) {
   const std::size_t sign = text.find('=');
   if (sign == 0 || sign == text.npos) return "needs NAME=EXPR, not " + text;
-  const std::string name = text.substr(0, sign);
+  const std::string name = to_utf8(text.substr(0, sign));
   for (const auto& other : options.materials)
     if (other.first == name) return "names " + name + " twice";
   if (options.materials.size() == kMaxMicroMaterials)
@@ -72,7 +73,7 @@ std::string fault_of_open_tiles(const MicroOptions& o) {
   return "";
 }
 
-// An output that is standard output has it alone.
+// Standard output has at most one of the outputs, and the inputs are files.
 std::string fault_of_streams(const MicroOptions& o) {
   if (o.cage == "-" || o.model == "-") return "- is not read: the cage and the model need files";
   const char* first = nullptr;

@@ -10,6 +10,7 @@
 #include "io/itd_polygons.h"
 #include "io/open_tile_file.h"
 #include "io/read_model.h"
+#include "io/splines/spline_text_reader.h"
 #include "io/tile_file.h"
 #include "solids/micro/bifurcation.h"
 #include "solids/vmodel/v_parts.h"
@@ -111,7 +112,7 @@ Result<MicroTile> read_tile_file(const std::string& path, const ModelReadOptions
     if (!mesh) return mesh.error();
     polygons.emplace(std::move(*mesh));
   }
-  const std::string name = path.substr(path.find_last_of('/') + 1);
+  const std::string name = stored_name(path);
   const MeshFile* const also = polygons ? &*polygons : nullptr;
   if (as_open) return open_tile_of(*file, name, also);
   const auto with = [&](TileFacets facets) { return tile_of(*file, name, facets, also); };
@@ -200,6 +201,10 @@ std::string take_counts_of_volumes(const std::string& text,
   }
   counts = std::move(out);
   return "";
+}
+
+std::string stored_name(const std::string& path) {
+  return to_utf8(path.substr(path.find_last_of('/') + 1));
 }
 
 Status read_tile_files(const ModelReadOptions& reading, bool as_open,

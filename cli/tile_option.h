@@ -48,6 +48,10 @@ std::string take_counts(const std::string& text,
 std::string take_counts_of_volumes(const std::string& text,
                                    std::vector<std::array<std::uint64_t, 3>>& counts);
 
+/// The name by which a microstructure keeps a file: without its folders, and with Latin-1 characters for its bytes if
+/// it is not UTF-8.
+std::string stored_name(const std::string& path);
+
 /// Reads the tiles that are files, as closed surfaces, or as curves and sheets. Triangles of closed ones are cut
 /// into quadrilaterals where that may help a proof: TileFacets.
 /// @error  as read_model_file and tile_of or open_tile_of, with the file

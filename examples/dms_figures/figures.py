@@ -133,6 +133,7 @@ class Figures:
     # An animal, the surface on which a sum of four ellipsoids is 1; its domain; a stomach and two pipes inside of it.
     def figure6(self):
         self.run("dms", "iso", "hare.vdms", "--attribute", "inside", "--level", 1, "--within", 4, "-o", "hare.off")
+        self.shorten("hare.off")
         self.run("dms", "domain", "hare.off", "-o", "animal.vdms")
         self.picture("6b", "animal.vdms", HARE, *SIZE)
         self.attach("animal.vdms", "digestion")
@@ -146,6 +147,13 @@ class Figures:
                      "0.05:59,82,139,0.02;0.3:59,82,139,0.05;0.6:94,201,98,0.5;1:253,231,37,3", *SQUARE)
         self.picture("6d", "digesting.vdms", "--mode", "slice", "--attribute", "digestion", "--plane", "0,1,0,9",
                      "--isolines", 9, *SIZE)
+
+    def shorten(self, mesh):
+        """Rounds coordinates to multiples of 2^-16: vertices in one plane of the cells stay in one plane."""
+        head, counts, *lines = (self.folder / mesh).read_text().splitlines()
+        for v in range(int(counts.split()[0])):
+            lines[v] = " ".join(repr(round(2**16 * float(x)) / 2**16) for x in lines[v].split())
+        (self.folder / mesh).write_text("\n".join([head, counts, *lines]) + "\n")
 
     def attach(self, model, attribute):
         """Gives a model of degree 1 one attribute, which is 0."""

@@ -217,7 +217,7 @@ Rational DmsLineIntegrator::mean(const DmsLine& line, std::size_t component) {
 
 namespace {
 
-// The square root, also of numbers beyond binary64.
+// Encloses the square root, also where binary64 does not have x. REQUIRES x >= 0.
 Interval root_of(const Rational& x) {
   if (x.sign() == Sign::kZero) return Interval(0.0);
   const auto bits = [](const Integer& n) { return static_cast<std::int64_t>(n.bit_length()); };

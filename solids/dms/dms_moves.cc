@@ -128,6 +128,7 @@ Rational polynomial_at(const std::vector<Rational>& coefficients, const Rational
   return sum;
 }
 
+// The nearest multiple of 2^-bits, of two the greater one.
 Rational rounded(const Rational& x, std::uint64_t bits) {
   Integer steps = floor_divide(x.numerator() << (bits + 1), x.denominator()) + Integer(1);
   steps.shift_right(1);
@@ -151,7 +152,8 @@ Status apply(DmsModel& model, const DmsSkeletonMove& move) {
     if (move.round_bits) sum = rounded(sum, *move.round_bits);
     if (const Status status = check_dms_number(sum); !status) {
       Error error = status.error();
-      error.message += "; the key 'round' of a skeleton move makes them short";
+      if (!move.round_bits)
+        error.message += "; the key 'round' of a skeleton move makes them short";
       return error;
     }
     value_of(model, i)[3 + move.attribute] = std::move(sum);

@@ -62,7 +62,7 @@ struct DmsSkeleton {
   std::vector<Rational> over, under;                        ///< from the constant term on
   Rational weight{1};
 };
-inline constexpr std::uint64_t kMaxRoundBits = 1000;
+inline constexpr std::uint64_t kMaxRoundBits = 1000;  ///< the most that DmsSkeletonMove may ask for
 /// Each coefficient of the attribute becomes the sum of the skeletons' fields at its control point.
 struct DmsSkeletonMove {
   std::size_t attribute = 0;

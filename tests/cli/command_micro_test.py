@@ -89,7 +89,9 @@ class MicroCommand(support.Folder):
     def test_marks_escapes_and_names_are_read_by_all(self):
         solid = self.folder / "m\udcff.off"
         solid.write_text(cube(1, 7))
-        self.micro("--model", solid)
+        tile = self.folder / "t\udcff.off"
+        tile.write_text(cube("0.25", "0.75"))
+        self.micro("--model", solid, "--material", "\udcff=x", tile=tile)
         text = self.out.read_bytes()
         at = text.index(b'["', text.index(b'"cells"')) + 2
         self.out.write_bytes(b"\xef\xbb\xbf" + text[:at] + b"\\u%04x" % text[at] + text[at + 1:])

@@ -54,6 +54,15 @@ class DmsXray(Folder):
             done = run(*words[bar + 2:], input=" ".join(words[1:bar]) + "\n", cwd=self.folder)
             self.assertEqual((done.returncode, done.stdout), (0, answer), command)
 
+    def test_integrals_beyond_binary64_are_infinite_and_long_segments_are_not(self):
+        model = json.loads(TETRAHEDRON.read_text())
+        for control in model["control"]:
+            control["value"][3] = str(10**320)
+        (self.folder / "high.vdms").write_text(json.dumps(model))
+        for file, segment, answer in (("high.vdms", "0 0 0 1/2 0 0", "inf 0.0000000000000000e+00"), (TETRAHEDRON, "-1e200 0 0 1e200 0 0", "5.1851851851851849e-01 5.9540197189777389e-01")):
+            done = run("dms", "xray", file, "-", "--attribute", "density", input=segment + "\n", cwd=self.folder)
+            self.assertEqual((done.returncode, done.stdout.split(" ", 1)[1]), (0, answer + "\n"), done.stderr)
+
     def test_integrals_of_a_collapsed_tetrahedron_are_simpsons(self):
         model = json.loads(TETRAHEDRON.read_text())
         model["vertices"] = [cloud[:1] for cloud in model["vertices"]]

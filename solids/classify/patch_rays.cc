@@ -79,20 +79,32 @@ namespace {
 class BoxDescent {
  public:
   explicit BoxDescent(const Box3d& box) : box_(box) {}
-  bool misses(SheetNet net) {
+  bool misses(SheetNet net, int halvings = kMostHalvingsOfFlat) {
     const Box3d hull = net.hull();
     if (!meets(hull, box_)) return true;
-    if (lies_beside(net)) return true;
-    // A piece inside of the box, or small beside it, that is not known to miss it.
-    if (is_inside(hull, box_) || extent(hull) < extent(box_) / 16 || --pieces_left_ < 0)
+    const Slab slab = slab_of(net);
+    if (slab.is_beside_box) return true;
+    if (slab.is_thin) --halvings;
+    // A piece inside of the box, or small or flat beside it, that is not known to miss it.
+    if (is_inside(hull, box_) || extent(hull) < extent(box_) / 16 || halvings < 0 ||
+        --pieces_left_ < 0)
       return false;
     SheetNet right = net.halve(net.length(0) >= net.length(1) ? 0 : 1);
-    return misses(std::move(net)) && misses(std::move(right));
+    return misses(std::move(net), halvings) && misses(std::move(right), halvings);
   }
 
  private:
-  // Whether the slab of the piece's mean normal misses the box.
-  bool lies_beside(const SheetNet& net) const {
+  // A piece in the plane of the box, so to speak, misses it only beyond its own border, and after some halvings only if
+  // it is as near to the border as that.
+  static constexpr int kMostHalvingsOfFlat = 16;
+  static constexpr double kThin = 64;
+
+  // Of the piece's mean normal.
+  struct Slab {
+    bool is_beside_box = false;  // misses the box
+    bool is_thin = false;        // not much thicker than the box, or than rounding: halves are hardly farther from it
+  };
+  Slab slab_of(const SheetNet& net) const {
     const Point3d n = net.normal();
     const auto range = net.range_along(n);
     double least = 0, most = 0, size = 0;
@@ -103,7 +115,8 @@ class BoxDescent {
       size += std::max(std::abs(a), std::abs(b));
     }
     const double bound = plane_bound(0, size);
-    return least - bound > range[1] || most + bound < range[0];
+    return {least - bound > range[1] || most + bound < range[0],
+            range[1] - range[0] <= kThin * (most - least + bound)};
   }
 
   const Box3d& box_;

@@ -74,6 +74,14 @@ class MicroInside(support.Folder):
             (part,) = reason["parts"]
             self.assertEqual((part["volume"], len(part["box"])), (0, 3))
 
+    def test_a_gap_that_the_checkers_do_not_see_is_undecided(self):
+        for k in range(50, 39, -1):
+            gap = 8 * 2.0**-k
+            reason = self.reason(cube(-gap, 8 + gap))
+            self.assertEqual((reason["code"], reason["message"][:3]), ("not-inside", "I1:"), k)
+        for k in (36, 30, 20):
+            self.assertEqual(self.certify(cube(-8 * 2.0**-k, 8 + 8 * 2.0**-k))["verdict"], "VALID", k)
+
     def test_elsewhere(self):
         self.assertRegex(self.reason(cube(20, 21))["message"], r"^I2: a point of patch \d+ of the tile of cell \(0, 0, 0\) of grid 0 is not in the interior")
         self.assertIn("I2", self.reason(cube(-2, 10), cube(-1, 9, True))["message"])

@@ -346,6 +346,23 @@ TEST(CageScale, IsTheVolumeOfABoxWhateverItsDomain) {
   }
 }
 
+// Along each axis 3 u / (1 + 2 u): the determinant falls from 27 to 1 / 27. It is known up to a part of the greatest
+// value only, so halving boxes does not bound the least one to 1 %.
+TEST(CageScale, OfUnevenWeightsIsWithinAPartOfTheGreatestValue) {
+  const auto weight = [](std::size_t i, std::size_t j, std::size_t k) {
+    return Rational(std::array{1, 3, 9, 27}[i + j + k]);
+  };
+  const auto corner = [](std::size_t i, std::size_t j, std::size_t k) {
+    return v_cells::Point{Rational(i), Rational(j), Rational(k)};
+  };
+  const VVolume volume = v_cells::rational({1, 1, 1}, corner, weight);
+  const CageScale s = scale(full({volume}, {2, 3, 2}, box_tile({8, 8, 8}, {56, 56, 56})));
+  EXPECT_GE(s.lo, 0);
+  EXPECT_LE(s.lo, 1.0 / 27);
+  EXPECT_GE(s.hi, 27);
+  EXPECT_LE(s.hi, 27 * (1 + 0x1p-7));
+}
+
 TEST(CageScale, BoundsAreNearValuesAtPointsOfCellsWithTiles) {
   int compared = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {

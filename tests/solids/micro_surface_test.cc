@@ -46,6 +46,19 @@ TEST(NodePoints, HoldThePointsTheyAreMadeOf) {
   EXPECT_EQ(box_around(points), node.box);
 }
 
+TEST(NodePoints, WidenedPointsHoldWhatIsSoMuchFartherAway) {
+  const ScopedUpward upward;
+  NodePoints node = node_at({at(1, 2, 3), at(4, 5, 6)});
+  node.widen(0x1p-60);
+  EXPECT_EQ(node.box.lo, (Point3d{std::nextafter(1, 0), std::nextafter(2, 0), std::nextafter(3, 0)}));
+  EXPECT_EQ(node.box.hi, (Point3d{std::nextafter(4, 9), std::nextafter(5, 9), std::nextafter(6, 9)}));
+  EXPECT_EQ(node.radius, (Point3d{0x1p-60, 0x1p-60, 0x1p-60}));
+  const Slab slab = slab_around({1, 0, 0}, std::vector<Box3>{at(0, 0, 0)});
+  EXPECT_TRUE(is_beside(slab, node));
+  node.widen(1);
+  EXPECT_FALSE(is_beside(slab, node));
+}
+
 TEST(Slab, ASlabIsBesidePointsThatLieOnOneSideOnly) {
   const ScopedUpward upward;
   const Slab slab = slab_around({1, 1, 0}, std::vector<Box3>{at(0, 0, 9), at(1, 0, -9)});

@@ -47,6 +47,7 @@ class BridgeMaps {
   bool points(const Box3& x, std::vector<NodePoints>* out) const;
   /// The points, for each span.
   bool boxes(const Box3& x, std::vector<std::vector<Box3>>* out) const;
+  double checkers_error() const { return maps_.checkers_error(); }
 
  private:
   const VolumeMaps& maps_;

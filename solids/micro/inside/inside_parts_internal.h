@@ -27,12 +27,15 @@ class VolumeMaps {
   const BezierVolume<Rational>& exact(const std::array<std::size_t, 3>& spans) const {
     return pieces_.at(spans);
   }
+  /// The greatest of all spans (part_net_internal.h).
+  double checkers_error() const { return checkers_error_; }
   /// Exactly. REQUIRES a point of the domain.
   ExactPoint image(const TilePoint& x) const;
 
  private:
   BezierPieces<Rational, 3> pieces_;
   std::vector<PartNet> nets_;
+  double checkers_error_ = 0;
 };
 
 /// The question, and what is prepared of it once.

@@ -15,7 +15,8 @@ using namespace internal;
 
 internal::VolumeMaps::VolumeMaps(const VVolume& volume) : pieces_(bezier_pieces(volume)) {
   const ScopedUpward upward;
-  for (const auto& piece : pieces_.pieces) nets_.emplace_back(piece);
+  for (const auto& piece : pieces_.pieces)
+    checkers_error_ = std::max(checkers_error_, nets_.emplace_back(piece).checkers_error());
 }
 
 ExactPoint internal::VolumeMaps::image(const TilePoint& x) const {

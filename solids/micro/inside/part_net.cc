@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "solids/micro/inside/part_net_internal.h"
@@ -53,6 +54,22 @@ class PartMatrix {
   std::array<Interval, kMaxOrder * kMaxOrder> rows_;
 };
 
+// What the page allows a checker: 2^-42 of the greatest coordinate for each coefficient along each axis; for a rational
+// map times the spread of its weights.
+double checkers_error_of(const BezierVolume<Interval>& net) {
+  double size = 0, least_weight = HUGE_VAL, most_weight = 0, orders = 0;
+  for (const int degree : net.degrees()) orders += degree + 1;
+  for (int c = 0; c < 3; ++c)
+    for (const Interval& x : net.component(c)) size = std::max(size, mag(x));
+  if (!net.is_rational()) return 0x1p-42 * orders * size;
+  for (const Interval& w : net.component(3)) {
+    least_weight = std::min(least_weight, w.lo());
+    most_weight = std::max(most_weight, w.hi());
+  }
+  least_weight = std::max(least_weight, 0x1p-10 * most_weight);  // parts of the map may have greater ones
+  return 0x1p-41 * orders * size / least_weight * (most_weight / least_weight);
+}
+
 bool is_whole(const Interval& a, const Interval& b) { return a.hi() <= 0 && b.lo() >= 1; }
 
 }  // namespace
@@ -64,6 +81,7 @@ PartNet::PartNet(const BezierVolume<Rational>& map)
     VT_CHECK(static_cast<std::size_t>(degree) < kMaxOrder, "a degree of a cage is at most 15");
   for (std::size_t i = 0; i < net_.coefficients().size(); ++i)
     net_.coefficients()[i] = enclose(map.coefficients()[i]);
+  checkers_error_ = checkers_error_of(net_);
 }
 
 PartNet PartNet::part(const Box3& begin, const Box3& end) const {
@@ -73,7 +91,7 @@ PartNet PartNet::part(const Box3& begin, const Box3& end) const {
     const PartMatrix matrix(out.degree(axis), begin[axis], end[axis]);
     on_lines(out, axis, [&](Interval* first, std::size_t stride) { matrix.apply(first, stride); });
   }
-  return PartNet(std::move(out));
+  return PartNet(std::move(out), checkers_error_);
 }
 
 bool PartNet::points(std::vector<Box3>* out) const {

@@ -23,10 +23,15 @@ class PartNet {
   bool points(std::vector<Box3>* out) const;
   /// Encloses the map's value. REQUIRES a box that meets [0,1]^3, and positive weights.
   Box3 value(const Box3& at) const;
+  /// How far off a coordinate of a point may be for a checker that computes in binary64, with errors bounded from the
+  /// sizes of the numbers of the whole map (docs/certificates/micro-inside.md, section 3). Nothing that is proved depends on it.
+  double checkers_error() const { return checkers_error_; }
 
  private:
-  explicit PartNet(BezierVolume<Interval> net) : net_(std::move(net)) {}
+  PartNet(BezierVolume<Interval> net, double checkers_error)
+      : net_(std::move(net)), checkers_error_(checkers_error) {}
   BezierVolume<Interval> net_;
+  double checkers_error_ = 0;
 };
 
 }  // namespace veritope::internal

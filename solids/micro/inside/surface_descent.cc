@@ -93,6 +93,12 @@ class UnitDescent {
     budget_.add_pairs(view_->keep_close(node, parts));
   }
 
+  // The points of scratch_, as a checker knows them: what it cannot see to be apart is not taken to be.
+  void set_points(double checkers_error) {
+    points_.assign(scratch_);
+    points_.widen(checkers_error);
+  }
+
   void block(const CellBlock& b, const PartNumbers* from) {
     if (defect_ || budget_.is_spent() || !has_tile(b)) return;
     const auto& axes = work_.axes[unit_.grid];
@@ -108,7 +114,7 @@ class UnitDescent {
     const PartNet net = parts_.volumes[grid().volume].net(spans).part(begin, end);
     std::optional<PartNumbers> close;
     if (net.points(&scratch_)) {
-      points_.assign(scratch_);
+      set_points(net.checkers_error());
       close = from == nullptr ? view_->near(points_.box) : *from;
       keep_close({&points_, 1}, &*close);
       if (close->empty()) return;
@@ -143,7 +149,7 @@ class UnitDescent {
         const Box3 x = node.box();
         const PartNet part = net.part(lower_ends(x), upper_ends(x));
         if (!part.points(&scratch_)) return;
-        points_.assign(scratch_);
+        set_points(net.checkers_error());
         keep_close({&points_, 1}, near);
       };
       if (const auto left = descend(std::move(root), close, kMostLevel, budget_, close_to))
@@ -158,6 +164,7 @@ class UnitDescent {
       std::vector<NodePoints> all;
       if (!maps.points(node.box(), &all)) return;
       if (all.size() > 1) budget_.add_nodes(all.size() - 1);
+      for (NodePoints& points : all) points.widen(maps.checkers_error());
       keep_close(all, near);
     };
     BridgeNode root = enclosed_bridge(b);
@@ -169,12 +176,15 @@ class UnitDescent {
   // REQUIRES a cap of one patch.
   void sweep(std::size_t number) {
     const MicroSweep& s = parts_.micro.sweeps[number];
+    const double error = parts_.volumes[parts_.micro.grids[s.cap.grid].volume].checkers_error();
     SweepNodes nodes(work_.starts.wall(s.cap), work_.starts.cap(s.cap).value(), s.axis);
-    PartNumbers all = view_->near(nodes.box({}));
+    nodes.points({}, &scratch_);
+    set_points(error);
+    PartNumbers all = view_->near(points_.box);
     std::sort(all.begin(), all.end());
     const auto close_to = [&](const SweepPart& part, PartNumbers* near) {
       nodes.points(part.node, &scratch_);
-      points_.assign(scratch_);
+      set_points(error);
       keep_close({&points_, 1}, near);
     };
     if (const auto left =
@@ -186,7 +196,10 @@ class UnitDescent {
     std::vector<NodePoints> all;
     Box3d box = empty_box();
     if (maps.points(node.box(), &all))
-      for (const NodePoints& points : all) box = hull(box, points.box);
+      for (NodePoints& points : all) {
+        points.widen(maps.checkers_error());
+        box = hull(box, points.box);
+      }
     else
       box = parts_.solid.surface().box();
     PartNumbers out = view_->near(box);

@@ -21,6 +21,7 @@ namespace {
 using internal::CellSpan;
 
 constexpr std::size_t kMostBoxes = std::size_t{1} << 14;
+constexpr std::size_t kMostCoefficients = std::size_t{1} << 23;  // of all boxes
 // An error of the determinant beside which 1 % is large.
 constexpr double kSmallError = 0x1p-10;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -36,6 +37,7 @@ struct ScaleBox {
   std::array<int, 3> halvings{};       // of one cell
   Grid<3> shape;                       // of the coefficients
   std::vector<Interval> coefficients;  // none: not computed yet
+  double error = 0;                    // of each, which halving does not lessen
 };
 
 class ScaleSearch {
@@ -108,6 +110,7 @@ class ScaleSearch {
                         (axis.knots[span.knots[a] + 1] - axis.knots[span.knots[a]]));
     }
     const Interval error = Interval::from_bounds(-d.error, d.error);
+    out.error = mag(factor * error);
     for (const Interval& x : d.polynomial.component(0))
       out.coefficients.push_back(factor * (x + error));
     out.shape = d.polynomial.grid();
@@ -141,15 +144,19 @@ class ScaleSearch {
     for (std::size_t s = 0; s < bounds.size(); ++s)
       queue.push({s, spans_[s].span.cells, bounds[s], {}, {}, {}});
     double attained = kInfinite;
+    std::size_t coefficients = 0;
     for (std::size_t boxes = 0;; ++boxes) {
       ScaleBox box = queue.top();
       if (box.coefficients.empty()) box = box_of(box.span, sign);
       reach_corners(box, attained);
+      coefficients += box.coefficients.size();
+      const bool is_enough = boxes >= kMostBoxes || coefficients >= kMostCoefficients;
       const Interval gap = Interval(attained) - Interval(box.bound);
       if (attained < kInfinite && (gap.hi() <= 0.01 * std::fabs(attained) ||
-                                   gap.hi() <= 0x1p-20 * most_ || boxes >= kMostBoxes))
+                                   gap.hi() <= 0x1p-20 * most_ || gap.hi() <= 4 * box.error ||
+                                   is_enough))
         return std::min(box.bound, attained);
-      if (boxes >= 2 * kMostBoxes) return box.bound;
+      if (boxes >= 2 * kMostBoxes || coefficients >= 2 * kMostCoefficients) return box.bound;
       queue.pop();
       for (ScaleBox& half : halves(box)) queue.push(std::move(half));
     }

@@ -13,11 +13,12 @@ struct CageScale {
   double lo = 0, hi = 0;  ///< 0 <= lo <= every value <= hi
 };
 
-/// Each bound is within 1 % of a value, or within 2^-20 of the greatest, unless the search ends at its limit of boxes;
-/// then it is the bound that is known. {0, 0} if no cell holds a tile.
+/// Each bound is within 1 % of a value, or within 2^-20 of the greatest (2^-8 for rational volumes), unless the search
+/// ends at its limit of work; then it is the bound that is known. {0, 0} if no cell holds a tile.
 /// REQUIRES that the cage is that of micro, and that determinants of the cage have one sign in each volume.
 /// @error kNotFinite: numbers beyond the range of binary64, or a weight that is not proved positive
-/// @cost  a determinant for each span between knots that holds tiles, and at most 2^14 boxes for each bound
+/// @cost  a determinant for each span between knots that holds tiles, and at most 2^14 boxes, of 2^23 coefficients in all,
+///        for each bound
 Result<CageScale> scale_of(const Microstructure& micro, const VModel& cage);
 
 }  // namespace veritope

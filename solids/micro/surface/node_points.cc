@@ -40,6 +40,14 @@ void NodePoints::assign(std::span<const Box3> points) {
   }
 }
 
+void NodePoints::widen(double by) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    radius[c] += by;
+    box.lo[c] = -(-box.lo[c] + by);  // rounded downward
+    box.hi[c] += by;
+  }
+}
+
 Slab slab_around(const Point3d& direction, std::span<const Box3> points) {
   Slab out{direction, HUGE_VAL, -HUGE_VAL};
   if (!std::isfinite(direction[0] + direction[1] + direction[2])) out.direction = {};

@@ -21,6 +21,8 @@ struct NodePoints {
   std::size_t size() const { return middles[0].size(); }
   /// REQUIRES a live ScopedUpward.
   void assign(std::span<const Box3> points);
+  /// Lets each coordinate of each point differ by so much more. REQUIRES a live ScopedUpward.
+  void widen(double by);
 };
 
 /// A bound of |fl(d.m) - d.q| for the middles m of the points q, where fl(d.m) is the plain sum of three products; not

@@ -39,7 +39,7 @@ std::string BridgeChoice::fault(bool has_model, bool has_skin) const {
 void declare_bridge(OptionSet& set, BridgeChoice& choice, std::optional<double>& skin) {
   set.option(
       "--bridge", "KIND", [c = &choice](const std::string& text) { return take_bridge(text, *c); },
-      "domain, space or none: how free caps reach the model");
+      "domain, space, none: to the model; --alpha A, --skin TAU");
   set.option(
       "--alpha", "A", [c = &choice](const std::string& text) { return take_alpha(text, *c); },
       "how far bridges go straight on, in units of the distance");

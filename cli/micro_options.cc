@@ -126,12 +126,12 @@ void declare_micro_options(OptionSet& set, const std::shared_ptr<MicroOptions>& 
   set.repeatable(
       "--tile", "TILE",
       [o = o.get()](const std::string& text) { return take_tile(text, o->tiles); },
-      "jack[,node=1/5][,...], branch, frame, curves3, or a file");
+      "jack[,node=1/5], branch, frame, curves3, file; --place E");
   set.option(
       "--counts", "K,M,N",
       [o = o.get()](const std::string& text) { return take_counts_of_volumes(text, o->counts); },
-      "cells along the three axes of each volume");
-  set.text("--model", o->model, "keep tiles in the interior of this solid only");
+      "cells along each volume's axes; --double w=L: finer ones");
+  set.text("--model", o->model, "keep tiles in this solid; --nest T:K,M,N: tiles in tiles");
   set.option(
       "--place", "EXPR",
       [o = o.get()](const std::string& text) { return take_formula(text, o->place); },

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -51,6 +52,7 @@ std::string take_arms(const std::string& value, unsigned& to) {
     std::size_t wall = 0;
     while (wall < 6 && v_face_name(wall) != name) ++wall;
     if (wall == 6) return "needs walls such as u0+u1+w1, not " + value;
+    if ((to >> wall & 1u) != 0) return "names the wall " + name + " twice";
     to |= 1u << wall;
   }
   return "";
@@ -80,14 +82,16 @@ std::string take_key(const std::string& key, const std::string& value, Curves3Sh
   return read.ec == std::errc() && read.ptr == end ? "" : "needs a number of parts, not " + value;
 }
 
-// Calls take(key, value) for each part after the name.
+// Calls take(key, value) for each part after the name; no key may occur twice.
 template <typename Take>
 std::string take_keys(const std::vector<std::string>& parts, Take take) {
+  std::set<std::string> known;
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const std::size_t equals = parts[i].find('=');
     const std::string key = parts[i].substr(0, equals),
                       value = equals == std::string::npos ? "" : parts[i].substr(equals + 1);
     if (std::string why = take(key, value); !why.empty()) return why;
+    if (!known.insert(key).second) return "has the key " + key + " twice";
   }
   return "";
 }

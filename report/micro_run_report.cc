@@ -135,7 +135,7 @@ std::string open_run_text(const MicroRunReport& r) {
            (r.bridges ? ", " + counted(r.bridges->built, "bridge", "bridges") : "") + " in " +
            counted(r.cells, "cell", "cells") + "\n";
     if (r.bridges) text += bridges_line(*r.bridges, "free end", "free ends");
-  } else if (r.kept == 0 && r.defects.empty()) {
+  } else if (r.cells != 0 && r.kept == 0 && r.defects.empty()) {
     text = "wrote nothing: no tile is kept in " + counted(r.cells, "cell", "cells") + "\n";
   }
   return r.model && !text.empty() ? text + cells_line(r) : text;

@@ -221,6 +221,8 @@ class MicroCurves(support.Folder):
         self.assertEqual((report["tiles"]["kept"], report["composed"]), (0, None))
         self.assertFalse(self.out.exists())
         self.assertIn("wrote nothing", self.micro("--emit", self.out, "--model", self.model).stdout)
+        unread = self.micro("--emit", self.out, "--model", self.folder / "missing.off")
+        self.assertEqual((unread.returncode, unread.stdout), (4, ""))
 
     def test_a_composition_over_the_limit_of_degrees_is_refused(self):
         cage = self.folder / "cage.vjson"

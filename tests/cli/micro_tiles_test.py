@@ -289,7 +289,8 @@ class MicroTiles(support.Folder):
         many = self.file("many.off", off(*blocks(cells, [f"{i}/16" for i in range(1, 16)])))
         self.assertIn("2352 triangles, more than 2048", " ".join(self.micro(many, expect=4).split()))
         for tile, why in (("ring", "needs jack, frame, branch"), ("frame,rod=1", "has no key rod"), ("frame,bar=1/3", "is not a tile"),
-                          ("branch,arms=u2", "needs walls such as"), ("jack,arms=u0", "has no key arms")):
+                          ("branch,arms=u2", "needs walls such as"), ("branch,arms=u0+w1+u0", "names the wall u0 twice"),
+                          ("jack,node=1/5,cap=1/8,node=1/4", "has the key node twice"), ("jack,arms=u0", "has no key arms")):
             self.assertIn(why, " ".join(self.micro(tile, expect=2).split()))
 
 

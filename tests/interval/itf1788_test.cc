@@ -67,8 +67,8 @@ TEST(Itf1788, EveryStatementPassesOrIsListedWithAReason) {
     std::size_t good = 0;
     for (const itf1788::Statement& s : statements) {
       const std::optional<std::string> fault = itf1788::failure(s);
-      const auto exclusion = std::find_if(listed.begin(), listed.end(), [&](const Exclusion& e) {
-        return e.file == file && s.source.starts_with(e.start);
+      const auto exclusion = std::find_if(listed.begin(), listed.end(), [&, &name = file](const Exclusion& e) {
+        return e.file == name && s.source.starts_with(e.start);
       });
       if (exclusion != listed.end()) {
         ++exclusion->used;

@@ -203,7 +203,6 @@ TEST(MeshClassifier, AnswersAtEveryScale) {
   const TriangleMesh shape = shapes::torus(7, 5, 3, 1);
   for (const int exponent : {-1060, -1000, -500, 0, 500, 1000, 1020}) {
     const TriangleMesh mesh = shapes::scaled(shape, exponent);
-    Random random(kSeed);
     const MeshClassifier c = classifier(mesh), plain = classifier(shape);
     for (const Vec3d& p :
          {Vec3d{3, 0.25, 0.25}, Vec3d{0, 0, 0}, Vec3d{-3, 0.125, 0}, Vec3d{3.5, 3.5, 0}}) {

@@ -52,7 +52,6 @@ TEST(MeshDomain, FillsSchoenhardtsPolyhedronWhichNeedsOtherVertices) {
 }
 
 TEST(MeshDomain, FillsShapesOfManyKinds) {
-  Random random(11);
   expect_domain(shapes::prism(7, 2, 3), "prism");
   expect_domain(shapes::torus(9, 6, 3, 1), "torus");
   expect_domain(shapes::bipyramid(6), "bipyramid");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -22,6 +23,7 @@ using internal::CellSpan;
 
 constexpr std::size_t kMostBoxes = std::size_t{1} << 14;
 constexpr std::size_t kMostCoefficients = std::size_t{1} << 23;  // of all boxes
+constexpr std::size_t kMostKept = std::size_t{1} << 22;          // coefficients of whole spans
 // An error of the determinant beside which 1 % is large.
 constexpr double kSmallError = 0x1p-10;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -54,9 +56,15 @@ class ScaleSearch {
     if (spans_.empty()) return out;
     const ScopedUpward upward;
     std::array<std::vector<double>, 2> bounds;  // of the least and of the greatest value, by spans
-    for (std::size_t s = 0; s < spans_.size(); ++s)
-      for (std::size_t end = 0; end < 2; ++end)
-        bounds[end].push_back(bound_of(box_of(s, end == 0 ? 1 : -1).coefficients));
+    std::size_t num_kept = 0;
+    kept_.resize(spans_.size());
+    for (std::size_t s = 0; s < spans_.size(); ++s) {
+      ScaleBox box = make_box(s);
+      bounds[0].push_back(box.bound);
+      bounds[1].push_back(bound_of(turned(box).coefficients));
+      num_kept += box.coefficients.size();
+      if (num_kept <= kMostKept) kept_[s] = std::move(box);
+    }
     for (const auto& of_end : bounds)
       for (const double b : of_end)
         if (!(b > -kInfinite))
@@ -94,16 +102,27 @@ class ScaleSearch {
     return least;
   }
 
-  // All cells of a span, with the determinant.
+  // With the other sign.
+  static ScaleBox turned(ScaleBox box) {
+    for (Interval& c : box.coefficients) c = -c;
+    box.bound = bound_of(box.coefficients);
+    return box;
+  }
+  // All cells of a span, with sign times the determinant.
   ScaleBox box_of(std::size_t number, int sign) const {
+    ScaleBox out = kept_[number] ? *kept_[number] : make_box(number);
+    return sign < 0 ? turned(std::move(out)) : out;
+  }
+  // Computed, with the sign 1.
+  ScaleBox make_box(std::size_t number) const {
     const auto& [g, span] = spans_[number];
     const VVolume& volume = micro_.cage[micro_.grids[g].volume];
     const internal::SpanDeterminant d = internal::span_determinant(volume, span, kSmallError);
-    if (cage_.hand(micro_.grids[g].volume) == Sign::kNegative) sign = -sign;
+    const bool is_left_handed = cage_.hand(micro_.grids[g].volume) == Sign::kNegative;
     ScaleBox out;
     out.span = number;
     out.cells = span.cells;
-    Interval factor(static_cast<double>(sign));
+    Interval factor(is_left_handed ? -1.0 : 1.0);
     for (std::size_t a = 0; a < 3; ++a) {
       const auto& axis = volume.axis(a);
       factor *= enclose((axis.domain_end() - axis.domain_begin()) /
@@ -202,6 +221,7 @@ class ScaleSearch {
   const Microstructure& micro_;
   const VModel& cage_;
   std::vector<PlacedSpan> spans_;
+  std::vector<std::optional<ScaleBox>> kept_;  // by spans, while there are few coefficients
   double most_ = 0;
 };
 

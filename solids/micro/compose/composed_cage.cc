@@ -9,7 +9,7 @@
 #include "solids/micro/cell_piece.h"
 #include "splines/bezier_lowering.h"
 #include "splines/bspline_pieces.h"
-#include "splines/composition.h"
+#include "splines/composition_integer.h"
 
 namespace veritope {
 namespace {
@@ -50,7 +50,7 @@ class CageComposer {
              const std::array<std::size_t, 3>& cell) {
     for (std::size_t a = 0; a < 3; ++a)
       for (Rational& x : inner.component(static_cast<int>(a))) x = piece_.brought(a, x);
-    const Result<BezierVolume<Rational>> composed = veritope::compose(piece_.map(), inner);
+    const Result<BezierVolume<Rational>> composed = compose_by_integers(piece_.map(), inner);
     if (!composed) return composed.error();
     BezierVolume<Rational> least = lowered(*composed);
     const int degree = *std::max_element(least.degrees().begin(), least.degrees().end());

@@ -6,7 +6,7 @@
 #include "solids/micro/filter/exact_contact_internal.h"
 #include "solids/micro/filter/separation_internal.h"
 #include "splines/bezier_domain.h"
-#include "splines/composition.h"
+#include "splines/composition_integer.h"
 
 namespace veritope::internal {
 
@@ -311,7 +311,7 @@ std::optional<ExactControl> ExactPatches::around(const TilePiece& piece) {
 std::optional<ExactControl> ExactPatches::control(const TilePiece& piece) {
   restrict_map();
   auto& patch = patches_[piece.patch];
-  if (!patch) patch = compose(*map_, tile_.patches()[piece.patch].exact).value();
+  if (!patch) patch = compose_by_integers(*map_, tile_.patches()[piece.patch].exact).value();
   BezierSurface<Rational> part = *patch;
   for (std::size_t a = 0; a < 2; ++a)
     part = restricted(part, a, piece.parameter(a, 0), piece.parameter(a, std::size_t{1} << a));

@@ -2,6 +2,7 @@
 // veritope cage.
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "cli/cage_model.h"
@@ -47,8 +48,14 @@ class CageRun {
     return options_.around ? options_.around : options_.of;
   }
 
+  static bool is_option(const std::string& word) {
+    static const std::set<std::string> kNames = {
+        "at",     "axis", "degrees", "entity", "from",  "height", "high",   "inner", "low",
+        "margin", "max",  "min",     "open",   "outer", "point",  "sector", "spans", "start"};
+    return kNames.count(word) != 0;
+  }
   // What is wrong with a file has its name; parameters that do not fit are wrong usage, and the sentence begins with
-  // the name of one.
+  // the name of one. Other sentences are about what was read.
   ExitCode refuse(Error error) const {
     const bool is_usage = error.code == Code::kBadArgument && error.place.file.empty();
     if (error.place.file.empty()) {
@@ -56,8 +63,10 @@ class CageRun {
       const bool is_radial = *options_.kind == CageKind::kRadial;
       if (is_radial && (word == "low" || word == "degrees"))
         error.message = (word == "low" ? "--height: " : "--sector: ") + error.message;
-      else
+      else if (is_option(word))
         error.message = "--" + error.message;
+      else
+        error.place.file = input().value_or("");
     }
     complain(harmless(to_string(error)));
     return is_usage ? kExitUsage : kExitUnreadable;

@@ -152,9 +152,12 @@ class Cage(support.Folder):
     def test_what_does_not_fit_names_the_option_and_writes_nothing(self):
         self.cage("box", "--min", "0,0,0", "--max", "2,2,2", name="box.vjson")
         flat = support.write_off(self.folder / "flat.off", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
+        far = support.write_off(self.folder / "far.off", [(2.0**52 + x, y, z) for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))],
+                                [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
         before = self.listing()
         of = ["split", "--of", self.folder / "box.vjson"]
         for arguments, status, words in ((["box", "--min", "0,0,0", "--max", "1,0,1"], 2, "--min must be less than max, and in y they are 0 and 0"),
+                                         (["hull", "--around", far], 4, "far.off: content of this size is too far from the origin"),
                                          (["box", "--around", flat, "--margin", 0], 4, "flat.off: it has no extent in z and no margin"),
                                          (["box", "--min", "0,0,0", "--max", "1,1,1", "--spans", "4096,4096,4096"], 4, "--spans and degrees give"),
                                          (["radial", "--outer", 1, "--inner", 1, "--height", "0,1"], 2, "--inner must be less than outer, and they are 1 and 1"),

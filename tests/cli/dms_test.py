@@ -251,6 +251,12 @@ class Dms(Folder):
         (a, b, c), (d, e, f), (g, h, i) = ([F(x) for x in row] for row in point["gradient"][:3])
         self.assertEqual(a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g), F(defect["value"]))
 
+    def test_a_narrow_fold_where_clouds_reach_outward_is_found_by_samples(self):
+        done = run("certify", MODELS / "dms" / "narrow_fold.vdms")
+        self.assertEqual(done.returncode, 1, done)
+        self.assertIn("jacobian: the determinant of the derivative is below 0 at (", " ".join(done.stdout.split()))
+        self.assertIn("accepted by veritope-check", " ".join(done.stdout.split()))
+
     def test_every_verb_refuses_domains_and_clouds_with_defects(self):
         for code, data in dms_defective.defective().items():
             if code in ("jacobian", "jacobian-zero", "meeting", "crossing"):

@@ -15,6 +15,7 @@
 #include "solids/dms/dms_jacobian.h"
 #include "solids/dms/dms_surface.h"
 #include "solids/dms/dms_tiles.h"
+#include "solids/dms/fast/fold_search.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/certify_kinds_internal.h"
 #include "verify/certify/dms_refutation.h"
@@ -240,10 +241,23 @@ class DmsCertification {
     return reason("B2: planes that part knots have too many bits", "not-covered");
   }
 
+  // Tetrahedra before the first one are proved.
+  std::optional<DmsRefutation> refutation_by_samples(std::uint32_t first) const {
+    auto fold = find_fold(model_, first);
+    if (!fold) return std::nullopt;
+    DmsOpenLeaf leaf;
+    leaf.tetrahedron = fold->tetrahedron;
+    leaf.negative_at = std::move(fold->at);
+    leaf.negative_value = std::move(fold->determinant);
+    return refutation_of(leaf);
+  }
+
   std::optional<Finding> jacobian() {
     auto trees = prove_jacobian(model_);
     if (const auto* const open = std::get_if<DmsOpenLeaf>(&trees)) {
-      if (auto refuted = refutation_of(*open)) {
+      auto refuted = refutation_of(*open);
+      if (!refuted) refuted = refutation_by_samples(open->tetrahedron);
+      if (refuted) {
         refutations_.push_back(std::move(*refuted));
         return std::nullopt;
       }

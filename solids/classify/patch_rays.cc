@@ -99,7 +99,7 @@ class BoxDescent {
   static constexpr int kMostHalvingsOfFlat = 16;
   static constexpr double kThin = 64;
 
-  // Of the piece's mean normal.
+  // The space between two planes across the piece's mean normal that holds the piece.
   struct Slab {
     bool is_beside_box = false;  // misses the box
     bool is_thin = false;        // not much thicker than the box, or than rounding: halves are hardly farther from it

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/fast/fold_search.h: where the map of a solid turns over. Nothing is proved by the search: it looks for small
+// solids/dms/fast/fold_search.h: where the map of a solid turns over. The search proves nothing: it looks for small
 // determinants in binary64, and shows one exactly. Design: docs/design/0104-folds-by-samples.md.
 #pragma once
 #include <cstddef>
@@ -25,7 +25,7 @@ struct FoldSearchOptions {
 };
 
 /// Samples tetrahedra from number `first` on, near their corners and faces, and goes downhill from the least
-/// determinants. The same answer on every machine; none does not mean that there is no fold.
+/// determinants. The answer does not depend on the machine. Without an answer there may be a fold all the same.
 /// REQUIRES what FastDms requires, and a map to space in the first three components.
 std::optional<DmsFold> find_fold(const DmsModel& model, std::uint32_t first = 0,
                                  const FoldSearchOptions& options = {});

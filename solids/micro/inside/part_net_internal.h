@@ -24,7 +24,7 @@ class PartNet {
   /// Encloses the map's value. REQUIRES a box that meets [0,1]^3, and positive weights.
   Box3 value(const Box3& at) const;
   /// How far off a coordinate of a point may be for a checker that computes in binary64, with errors bounded from the
-  /// sizes of the numbers of the whole map (docs/certificates/micro-inside.md, section 3). Nothing that is proved depends on it.
+  /// sizes of the numbers of the whole map (docs/certificates/micro-inside.md, section 10). No proof depends on it.
   double checkers_error() const { return checkers_error_; }
 
  private:

@@ -17,8 +17,8 @@ struct CageScale {
 /// ends at its limit of work; then it is the bound that is known. {0, 0} if no cell holds a tile.
 /// REQUIRES that the cage is that of micro, and that determinants of the cage have one sign in each volume.
 /// @error kNotFinite: numbers beyond the range of binary64, or a weight that is not proved positive
-/// @cost  a determinant for each span between knots that holds tiles, and at most 2^14 boxes, of 2^23 coefficients in all,
-///        for each bound
+/// @cost  a determinant for each span between knots that holds tiles, and for each bound at most 2^14 boxes, of 2^23
+///        coefficients in all
 Result<CageScale> scale_of(const Microstructure& micro, const VModel& cage);
 
 }  // namespace veritope

@@ -136,7 +136,7 @@ bool DmsReader::read_degree() {
   skip();
   const char* const at = p_;
   std::uint64_t degree = 0;
-  if (!read_natural("the degree", kMaxDmsDegree, degree)) return false;
+  if (!read_natural("the degree", kMaxDmsDegree, degree, 1)) return false;
   part_.model->degree = static_cast<int>(degree);
   return accept(at, check_dms_degree(degree));
 }

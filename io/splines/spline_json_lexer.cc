@@ -101,13 +101,14 @@ bool SplineJsonLexer::read_exact(Rational& value) {
   return read_token(at, text, value, read_exact_number);
 }
 
-bool SplineJsonLexer::read_natural(const char* what, std::uint64_t most, std::uint64_t& value) {
+bool SplineJsonLexer::read_natural(const char* what, std::uint64_t most, std::uint64_t& value,
+                                   std::uint64_t least) {
   constexpr std::size_t kMostDigits = 18;
   const std::string_view token = peek();
   const bool is_integer = !token.empty() && std::all_of(token.begin(), token.end(), is_digit) &&
                           (token.size() == 1 || token[0] != '0');
-  const std::string range =
-      std::string(what) + " must be an integer from 0 to " + std::to_string(most) + ", not ";
+  const std::string range = std::string(what) + " must be an integer from " +
+                            std::to_string(least) + " to " + std::to_string(most) + ", not ";
   if (token.empty()) return fail_expected(what);
   if (!is_integer) return fail(p_, Code::kSyntax, range + quoted(token));
   value = 0;

@@ -33,8 +33,10 @@ class SplineJsonLexer : public SplineTextReader {
   /// Adds the character after a backslash, which has been read.
   bool read_escape(std::string& text);
   bool read_bool(bool& value);
-  /// Reads a number that consists of digits, up to `most`; `what` names it in messages: "a degree".
-  bool read_natural(const char* what, std::uint64_t most, std::uint64_t& value);
+  /// Reads a number that consists of digits, up to `most`; `what` names it in messages: "a degree". What is below
+  /// `least` is left to the caller; messages name it.
+  bool read_natural(const char* what, std::uint64_t most, std::uint64_t& value,
+                    std::uint64_t least = 0);
   /// Reads a string that contains a number.
   bool read_exact(Rational& value);
   /// [item, item, ...]

@@ -17,10 +17,9 @@ namespace veritope {
 namespace {
 
 Status check_new_cloud(const DmsModel& model, const DmsCloud& cloud) {
-  const auto n = static_cast<std::size_t>(model.degree);
-  if (cloud.size() != 1 && cloud.size() != n && cloud.size() != n + 1)
-    return bad_argument("the new vertex must have 1, " + std::to_string(n) + " or " +
-                        std::to_string(n + 1) + " knots, not " + std::to_string(cloud.size()));
+  if (const Status status = check_dms_cloud_size("the new vertex", model.degree, cloud.size());
+      !status)
+    return status;
   for (const DmsPoint& knot : cloud)
     for (const Rational& c : knot)
       if (const Status status = check_dms_number(c); !status) return status;

@@ -83,11 +83,16 @@ Status check_dms_number(const Rational& number) {
                    "numerators and denominators must be below 2^" + std::to_string(kMaxDmsBits));
 }
 
-Status check_dms_cloud(const DmsModel& model, std::size_t vertex) {
-  const std::size_t size = model.clouds[vertex].size(), n = static_cast<std::size_t>(model.degree);
+Status check_dms_cloud_size(const std::string& vertex, int degree, std::size_t size) {
+  const auto n = static_cast<std::size_t>(degree);
   if (size == 1 || size == n || size == n + 1) return ok_status();
-  return bad_argument("vertex " + std::to_string(vertex) + " must have 1, " + std::to_string(n) +
-                      " or " + std::to_string(n + 1) + " knots, not " + std::to_string(size));
+  const std::string first = n == 1 ? "1 or " : "1, " + std::to_string(n) + " or ";
+  return bad_argument(vertex + " must have " + first + std::to_string(n + 1) + " knots, not " +
+                      std::to_string(size));
+}
+Status check_dms_cloud(const DmsModel& model, std::size_t vertex) {
+  return check_dms_cloud_size("vertex " + std::to_string(vertex), model.degree,
+                              model.clouds[vertex].size());
 }
 
 Status check_dms_tetrahedron(const DmsModel& model, std::size_t number) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "solids/dms/dms_model.h"
@@ -22,7 +23,8 @@ Status check_own_attribute(const DmsModel& model, const DmsModel& own, std::size
 Status check_has_attributes(const DmsModel& own);
 /// Numerator and denominator are below 2^kMaxDmsBits.
 Status check_dms_number(const Rational& number);
-/// How many knots the vertex has. REQUIRES check_dms_degree.
+/// How many knots a vertex has, which `vertex` names at the begin of a sentence. REQUIRES check_dms_degree.
+Status check_dms_cloud_size(const std::string& vertex, int degree, std::size_t size);
 Status check_dms_cloud(const DmsModel& model, std::size_t vertex);
 /// Four different vertices. REQUIRES number < model.tetrahedra.size().
 Status check_dms_tetrahedron(const DmsModel& model, std::size_t number);

@@ -96,11 +96,11 @@ TEST(Dms, RefusalsHaveTheirLine) {
   EXPECT_EQ(outcome_of("\"degree\": 2", "\"degree\": 0"),
             "bad-argument@2: the degree must be from 1 to 9, not 0");
   EXPECT_EQ(outcome_of("\"degree\": 2", "\"degree\": 10"),
-            "over-limit@2: the degree must be an integer from 0 to 9, not '10'");
+            "over-limit@2: the degree must be an integer from 1 to 9, not '10'");
   EXPECT_EQ(outcome_of("\"degree\": 2", "\"degree\": 2.0"),
-            "syntax@2: the degree must be an integer from 0 to 9, not '2.0'");
+            "syntax@2: the degree must be an integer from 1 to 9, not '2.0'");
   EXPECT_EQ(outcome_of("\"degree\": 2", "\"degree\": \"2\""),
-            "syntax@2: the degree must be an integer from 0 to 9, not '\"'");
+            "syntax@2: the degree must be an integer from 1 to 9, not '\"'");
   EXPECT_EQ(outcome_of("\"degree\": 2,\n", ""),
             "syntax@2: the key 'degree' must come before the key 'attributes'");
   EXPECT_EQ(outcome_of("\"attributes\"", "\"colour\""), "syntax@3: unknown key 'colour'");
@@ -228,7 +228,7 @@ TEST(Dms, RefusalsWithinAnAttributeDomainHaveTheirLine) {
   EXPECT_EQ(outcome("[0,4,2,3]", "[0,5,2,3]"),
             "index-out-of-range@31: tetrahedron 0 has vertex 5 of 5");
   EXPECT_EQ(outcome("[[\"1\", \"0\", \"0\"]]", "[]"),
-            "bad-argument@26: vertex 1 must have 1, 1 or 2 knots, not 0");
+            "bad-argument@26: vertex 1 must have 1 or 2 knots, not 0");
   EXPECT_EQ(outcome("{\"at\": [0], \"value\": [\"0\"]},\n", ""),
             "bad-argument@33: there is no control point of the vertices [0]");
   EXPECT_EQ(outcome("{\"at\": [4]", "{\"at\": [3]"),

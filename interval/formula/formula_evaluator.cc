@@ -123,6 +123,11 @@ class FormulaEvaluator::Body {
     return round_slowly(at);
   }
 
+  std::optional<std::int64_t> round_within(const FormulaPoint& at) {
+    VT_CHECK(at.bounds.size() == formula_->variables().size(), "bounds of each variable");
+    return first_ == Tier::kBinary64 ? quick_.round_value(at) : std::nullopt;
+  }
+
   Result<EnclosedValue> enclose(const FormulaPoint& at, int precision) {
     require_values(at);
     VT_CHECK(precision >= MpInterval::kMinPrecision && precision <= kMostPrecision,
@@ -185,6 +190,10 @@ FormulaEvaluator::~FormulaEvaluator() = default;
 Result<RoundedValue> FormulaEvaluator::round_to_multiple(std::span<const Rational> values,
                                                          std::uint64_t index) {
   return body_->round({values, index});
+}
+std::optional<std::int64_t> FormulaEvaluator::round_within(std::span<const Interval> bounds,
+                                                           std::uint64_t index) {
+  return body_->round_within({{}, index, bounds});
 }
 Result<EnclosedValue> FormulaEvaluator::enclose(std::span<const Rational> values,
                                                 std::uint64_t index, int precision) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "interval/formula/real_formula.h"
+#include "interval/interval.h"
 #include "robust/base/result.h"
 #include "robust/rational.h"
 
@@ -66,6 +67,11 @@ class FormulaEvaluator {
   /// @cost   in binary64: 5 ns an operation, 50 ns for sin, cos and exp, 10 us for a fractional power; otherwise up to
   ///         milliseconds
   Result<RoundedValue> round_to_multiple(std::span<const Rational> values, std::uint64_t index = 0);
+
+  /// What round_to_multiple says for all values within these bounds, if binary64 shows that it is the same.
+  /// @param bounds  of formula.variables(), in their order. REQUIRES as many, finite
+  std::optional<std::int64_t> round_within(std::span<const Interval> bounds,
+                                           std::uint64_t index = 0);
 
   /// Bounds of the value, computed with `precision` bits, or with more where fewer do not show that there is a
   /// value. They are not the narrowest. REQUIRES 2 <= precision <= kMostPrecision.

@@ -28,6 +28,7 @@ enum class FormulaFault : std::uint8_t {
 struct FormulaPoint {
   std::span<const Rational> values;
   std::uint64_t index = 0;
+  std::span<const Interval> bounds = {};  ///< of the values; the first tier needs no values then
 };
 
 /// First tier: the formula as a list of steps on binary64 intervals. Constant parts are computed once.

@@ -98,7 +98,9 @@ bool QuickFormula::run(const Step& step, const FormulaPoint& at) {
   switch (step.op) {
     case FormulaOp::kNumber:
     case FormulaOp::kPi: return false;  // no steps
-    case FormulaOp::kVariable: out = quick_enclosure(at.values[step.leaf]); break;
+    case FormulaOp::kVariable:
+      out = at.bounds.empty() ? quick_enclosure(at.values[step.leaf]) : at.bounds[step.leaf];
+      break;
     case FormulaOp::kRandom: out = Interval(formula_random(step.leaf, at.index) * 0x1p-20); break;
     case FormulaOp::kNegate: out = -a; break;
     case FormulaOp::kAbs: out = abs(a); break;

@@ -83,6 +83,27 @@ TEST(FormulaEvaluator, ValuesAreTheGoldenOnesInEveryTier) {
   for (const auto& [text, multiple] : golden) expect_answer(text, std::to_string(multiple));
 }
 
+TEST(FormulaEvaluator, BoundsThatRoundAlikeHaveTheAnswerOfTheirValues) {
+  const RealFormula formula =
+      parse_formula("0.15 + 0.1*sin(6*x)*cos(6*y) + rand(3)", kNames).value();
+  FormulaEvaluator evaluator(formula);
+  const std::int64_t expected = evaluator.round_to_multiple(kValues, kIndex).value().multiple;
+  for (const double width : {0.0, 0x1p-40, 0x1p-10}) {
+    std::vector<Interval> bounds;
+    for (const Rational& x : kValues)
+      bounds.push_back(Interval::from_bounds(nearest_double(x) - width - 0x1p-50,
+                                             nearest_double(x) + width + 0x1p-50));
+    const auto found = evaluator.round_within(bounds, kIndex);
+    ASSERT_EQ(found.has_value(), width < 0x1p-20) << width;
+    if (found) {
+      EXPECT_EQ(*found, expected);
+    }
+  }
+  EXPECT_FALSE(FormulaEvaluator(formula, Tier::kExact)
+                   .round_within(std::vector<Interval>(4, Interval(0.5)), kIndex)
+                   .has_value());
+}
+
 TEST(FormulaEvaluator, TiesGoToTheEvenMultipleInEveryTier) {
   const std::pair<const char*, std::int64_t> ties[] = {
       {"1/2^21", 0},

@@ -25,9 +25,15 @@ class WallEvaluator {
  public:
   WallEvaluator(const RealFormula& formula, const std::array<std::int32_t, 2>& limits,
                 const Microstructure& micro)
-      : formula_(formula), evaluator_(formula), limits_(limits), micro_(micro) {}
+      : formula_(formula),
+        evaluator_(formula),
+        limits_(limits),
+        micro_(micro),
+        bounds_(micro.cage) {}
 
   Result<std::int32_t> operator()(const GridWall& wall) {
+    if (const auto quick = round_within_bounds(wall))
+      if (*quick >= limits_[0] && *quick <= limits_[1]) return static_cast<std::int32_t>(*quick);
     const Result<RoundedValue> value =
         evaluator_.round_to_multiple(values_at(wall), index_of(wall));
     if (!value) return about(wall, value.error().message);
@@ -43,6 +49,11 @@ class WallEvaluator {
   Error about(const GridWall& wall, const std::string& what) const {
     return bad_argument("wall " + name_of_wall(micro_, cell_beside(micro_, wall)) + ": " + what);
   }
+  std::optional<std::int64_t> round_within_bounds(const GridWall& wall) {
+    const auto bounds = bounds_(formula_, micro_.grids[wall.grid].volume, middle_of(micro_, wall));
+    if (!bounds) return std::nullopt;
+    return evaluator_.round_within(*bounds, index_of(wall));
+  }
   std::vector<Rational> values_at(const GridWall& wall) const {
     return internal::formula_values(formula_, micro_.cage[micro_.grids[wall.grid].volume],
                                     middle_of(micro_, wall));
@@ -57,6 +68,7 @@ class WallEvaluator {
   FormulaEvaluator evaluator_;
   std::array<std::int32_t, 2> limits_;
   const Microstructure& micro_;
+  internal::FormulaBoundsOfCage bounds_;
 };
 
 }  // namespace

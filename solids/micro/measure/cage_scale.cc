@@ -102,7 +102,7 @@ class ScaleSearch {
     return least;
   }
 
-  // With the other sign.
+  // The box with the other sign.
   static ScaleBox turned(ScaleBox box) {
     for (Interval& c : box.coefficients) c = -c;
     box.bound = bound_of(box.coefficients);

@@ -13,8 +13,9 @@ struct CageScale {
   double lo = 0, hi = 0;  ///< 0 <= lo <= every value <= hi
 };
 
-/// Each bound is within 1 % of a value, or within 2^-20 of the greatest (2^-8 for rational volumes), unless the search
-/// ends at its limit of work; then it is the bound that is known. {0, 0} if no cell holds a tile.
+/// Each bound is within 1 % of a value, or within 2^-20 of the greatest, unless the search ends before: at its limit of
+/// work, or where a rational volume's determinant is not known better (2^-8 of the greatest, or more where weights are
+/// very uneven). Then it is the bound that is known. {0, 0} if no cell holds a tile.
 /// REQUIRES that the cage is that of micro, and that determinants of the cage have one sign in each volume.
 /// @error kNotFinite: numbers beyond the range of binary64, or a weight that is not proved positive
 /// @cost  a determinant for each span between knots that holds tiles, and for each bound at most 2^14 boxes, of 2^23

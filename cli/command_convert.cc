@@ -9,7 +9,7 @@
 #include "cli/commands.h"
 #include "cli/convert_options.h"
 #include "cli/did_you_mean.h"
-#include "cli/micro_convert.h"
+#include "cli/canonical_convert.h"
 #include "cli/model_files.h"
 #include "cli/output_plan.h"
 #include "cli/spline_convert.h"

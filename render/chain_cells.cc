@@ -5,18 +5,12 @@
 #include <cmath>
 
 #include "render/spline_view_internal.h"
+#include "render/vtu_text_internal.h"
 
 namespace veritope {
 namespace {
 
 constexpr int kTetrahedronType = 10, kWedgeType = 80;  // VTK_TETRA, VTK_BEZIER_WEDGE
-
-std::string vtu_array(const char* type, const char* name, int components,
-                      const std::string& values) {
-  return std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
-         "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"ascii\">\n" +
-         values + "</DataArray>\n";
-}
 
 }  // namespace
 
@@ -98,11 +92,8 @@ Status ChainCells::add_wedge(const std::array<std::array<Rational, 3>, 3>& corne
 }
 
 std::string ChainCells::vtu_bytes() const {
-  std::string out =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
-      "byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-      std::to_string(num_points_) + "\" NumberOfCells=\"" + std::to_string(num_cells_) + "\">\n";
+  using namespace internal;
+  std::string out = vtu_begin(num_points_, num_cells_);
   out += "<PointData RationalWeights=\"RationalWeights\">\n" +
          vtu_array("Float64", "RationalWeights", 1, weights_) + "</PointData>\n";
   out += "<CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n" +
@@ -113,7 +104,7 @@ std::string ChainCells::vtu_bytes() const {
   out += "<Points>\n" + vtu_array("Float64", "Points", 3, points_) + "</Points>\n<Cells>\n" +
          vtu_array("Int64", "connectivity", 1, connectivity_) +
          vtu_array("Int64", "offsets", 1, offsets_) + vtu_array("UInt8", "types", 1, types_) +
-         "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+         "</Cells>\n" + std::string(kVtuEnd);
   return out;
 }
 

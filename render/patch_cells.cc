@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/spline_view_internal.h"
+#include "render/vtu_text_internal.h"
 
 namespace veritope {
 namespace {
@@ -76,11 +77,8 @@ Status PatchCells::Part::add(const BezierSurface<Rational>& surface,
 }
 
 std::string PatchCells::begin(std::uint64_t num_points, std::uint64_t num_cells) {
-  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
-         "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
-         "<Piece NumberOfPoints=\"" +
-         std::to_string(num_points) + "\" NumberOfCells=\"" + std::to_string(num_cells) +
-         "\">\n<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" "
+  return internal::vtu_begin(num_points, num_cells) +
+         "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" "
          "format=\"ascii\">\n";
 }
 
@@ -139,7 +137,7 @@ Status PatchCells::end(const std::function<Status(std::string_view)>& write) con
       out.text() += std::to_string(values_[n]) + '\n';
     out.close_array();
   }
-  out.text() += "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  out.text() += "</CellData>\n" + std::string(internal::kVtuEnd);
   return out.finish();
 }
 

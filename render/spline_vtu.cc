@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// VTK's unstructured grids with Bezier cells. Version 2.2 of the file format: the order of points within a hexahedron
-// is that of VTK 9.1 and later, which older versions of the format do not have.
+// VTK's unstructured grids with Bezier cells.
 #include <algorithm>
 
 #include "render/spline_view_internal.h"
 #include "render/volume_net_internal.h"
 #include "render/volume_view.h"
+#include "render/vtu_text_internal.h"
 
 namespace veritope {
 namespace {
@@ -59,35 +59,26 @@ class VtuWriter {
     return ok_status();
   }
   std::string write() const {
-    std::string out =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
-        "byte_order=\"LittleEndian\" "
-        "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-        std::to_string(num_points_) + "\" NumberOfCells=\"" + std::to_string(num_cells_) + "\">\n";
+    using internal::vtu_array;
+    std::string out = internal::vtu_begin(num_points_, num_cells_);
     out += "<PointData RationalWeights=\"RationalWeights\">\n" +
-           array("Float64", "RationalWeights", 1, weights_) + "</PointData>\n";
+           vtu_array("Float64", "RationalWeights", 1, weights_) + "</PointData>\n";
     out += "<CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n" +
-           array("Float64", "HigherOrderDegrees", 3, degrees_) +
-           array("Int64", layout_ == nullptr ? "entity" : "cell", 1, entities_);
+           vtu_array("Float64", "HigherOrderDegrees", 3, degrees_) +
+           vtu_array("Int64", layout_ == nullptr ? "entity" : "cell", 1, entities_);
     if (layout_ != nullptr)
-      out += array("UInt8", "colour", 4, colours_) + array("Int64", "net", 1, nets_);
+      out += vtu_array("UInt8", "colour", 4, colours_) + vtu_array("Int64", "net", 1, nets_);
     out += "</CellData>\n";
-    out += "<Points>\n" + array("Float64", "Points", 3, points_) + "</Points>\n<Cells>\n" +
-           array("Int64", "connectivity", 1, connectivity_) +
-           array("Int64", "offsets", 1, offsets_) + array("UInt8", "types", 1, types_) +
-           "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    out += "<Points>\n" + vtu_array("Float64", "Points", 3, points_) + "</Points>\n<Cells>\n" +
+           vtu_array("Int64", "connectivity", 1, connectivity_) +
+           vtu_array("Int64", "offsets", 1, offsets_) + vtu_array("UInt8", "types", 1, types_) +
+           "</Cells>\n" + std::string(internal::kVtuEnd);
     return out;
   }
 
  private:
   static Error too_many(std::uint64_t entity) {
     return internal::view_error(Code::kOverLimit, entity, "more than 33554432 control points");
-  }
-  static std::string array(const char* type, const char* name, int components,
-                           const std::string& values) {
-    return std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
-           "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"ascii\">\n" +
-           values + "</DataArray>\n";
   }
   template <std::size_t N>
   void add_piece(const Bezier<double, N>& piece, std::uint64_t entity) {
@@ -213,6 +204,35 @@ std::size_t vtk_triangle_index(int i, int j, int k) {
   if (i == n || j == n || k == n) return at(i == n ? 0 : j == n ? 1 : 2);
   if (k == 0) return at(3 + j - 1);
   return i == 0 ? at(3 + (n - 1) + k - 1) : at(3 + 2 * (n - 1) + i - 1);
+}
+
+std::size_t vtk_tetrahedron_index(std::array<int, 4> index) {
+  constexpr std::array<std::array<std::size_t, 2>, 6> kEdges = {
+      {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+  constexpr std::array<std::array<std::size_t, 3>, 4> kFaces = {
+      {{0, 1, 3}, {2, 3, 1}, {0, 3, 2}, {0, 2, 1}}};
+  std::size_t offset = 0;
+  int n = index[0] + index[1] + index[2] + index[3];
+  while (*std::min_element(index.begin(), index.end()) > 0) {
+    offset += static_cast<std::size_t>(2 * (n * n + 1));  // the points on the boundary
+    n -= 4;
+    for (int& i : index) --i;
+  }
+  const auto at = [&](int number) { return offset + static_cast<std::size_t>(number); };
+  for (std::size_t m = 0; m < 4; ++m)
+    if (index[m] == n) return offset + m;
+  for (std::size_t e = 0; e < 6; ++e) {
+    const int i = index[kEdges[e][0]], j = index[kEdges[e][1]];
+    if (i + j == n) return at(4 + static_cast<int>(e) * (n - 1) + j - 1);
+  }
+  const int inside = (n - 1) * (n - 2) / 2;
+  for (std::size_t f = 0; f < 4; ++f) {
+    const int i = index[kFaces[f][0]], j = index[kFaces[f][1]], k = index[kFaces[f][2]];
+    if (i + j + k == n)
+      return at(4 + 6 * (n - 1) + static_cast<int>(f) * inside - 3 * n) +
+             vtk_triangle_index(i, j, k);
+  }
+  return offset;
 }
 
 std::size_t vtk_point_index(const std::array<std::size_t, 3>& index,

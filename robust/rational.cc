@@ -13,18 +13,17 @@ namespace {
 
 enum class Direction { kTowardZero, kNearest, kAwayFromZero };
 
-// |a| rounded, as the bits of a non-negative double. The quotient keeps 53 bits, or fewer where the
+// |numerator / den| rounded, as the bits of a non-negative double. The quotient keeps 53 bits, or fewer where the
 // result is subnormal; the bits of consecutive doubles are consecutive integers, so that rounding
-// up is adding one.
-std::uint64_t rounded_magnitude(const Rational& a, Direction direction) {
-  const Integer num = abs(a.numerator());
-  const Integer& den = a.denominator();
+// up is adding one. REQUIRES den > 0.
+std::uint64_t rounded_magnitude(const Integer& numerator, const Integer& den, Direction direction) {
+  const Integer num = abs(numerator);
   if (num.is_zero()) return 0;
-  // 2^(e-1) < |a| < 2^(e+1)
+  // 2^(e-1) < num / den < 2^(e+1)
   const std::int64_t e =
       static_cast<std::int64_t>(num.bit_length()) - static_cast<std::int64_t>(den.bit_length());
   const auto scaled_floor = [&](std::int64_t exponent, Integer& remainder) {
-    // floor(|a| / 2^exponent)
+    // floor(num / den / 2^exponent)
     Integer n = num;
     Integer d = den;
     if (exponent < 0) {
@@ -59,9 +58,13 @@ std::uint64_t rounded_magnitude(const Rational& a, Direction direction) {
     // The remainder is zero iff m * 2^lsb is the value itself.
     Rational exact(q);
     exact *= Rational::power_of_two(lsb);
-    up = exact != abs(a);
+    up = exact != Rational(num, den);
   }
   return bits + (up ? 1 : 0);
+}
+
+std::uint64_t rounded_magnitude(const Rational& a, Direction direction) {
+  return rounded_magnitude(a.numerator(), a.denominator(), direction);
 }
 
 double with_sign(std::uint64_t magnitude, bool negative) {
@@ -146,6 +149,11 @@ Rational abs(Rational a) noexcept { return a.sign() == Sign::kNegative ? -std::m
 
 double nearest_double(const Rational& a) {
   return with_sign(rounded_magnitude(a, Direction::kNearest), a.sign() == Sign::kNegative);
+}
+double nearest_quotient(const Integer& numerator, const Integer& denominator) {
+  VT_CHECK(denominator.sign() == Sign::kPositive, "nearest_quotient over a positive denominator");
+  return with_sign(rounded_magnitude(numerator, denominator, Direction::kNearest),
+                   numerator.sign() == Sign::kNegative);
 }
 double round_down(const Rational& a) {
   const bool negative = a.sign() == Sign::kNegative;

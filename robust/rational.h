@@ -64,6 +64,8 @@ inline Sign sign_of(const Rational& a) noexcept { return a.sign(); }
 /// The binary64 number nearest to `a`, ties to even; infinity from the overflow threshold on, as IEEE 754 rounds. It
 /// does not depend on the rounding mode.
 double nearest_double(const Rational& a);
+/// nearest_double of the quotient, without its lowest terms. REQUIRES denominator > 0.
+double nearest_quotient(const Integer& numerator, const Integer& denominator);
 /// The largest binary64 number <= a, and the least >= a; infinities where no finite one is.
 double round_down(const Rational& a);
 double round_up(const Rational& a);

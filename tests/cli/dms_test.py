@@ -10,6 +10,7 @@ import random
 import re
 import sys
 import unittest
+import xml.etree.ElementTree
 from fractions import Fraction as F
 
 import schema
@@ -226,7 +227,41 @@ class Dms(Folder):
         self.assertEqual(done.stdout, TETRAHEDRON.read_text())
         done = run("convert", TETRAHEDRON, "o.stl", cwd=self.folder)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("does not end in vdms", " ".join(done.stderr.split()))
+        self.assertIn("does not end in vdms or vtu", " ".join(done.stderr.split()))
+
+    def test_convert_writes_bezier_cells(self):
+        done = run("convert", MODELS / "dms" / "inner_clouds.vdms", "o.vtu", cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done)
+        self.assertRegex(done.stdout, "^wrote  o.vtu  [0-9]+ Bezier cells of 1 tetrahedron, a picture\n$")
+        piece = xml.etree.ElementTree.parse(self.folder / "o.vtu").getroot().find("UnstructuredGrid/Piece")
+        arrays = {a.get("Name"): a.text.split() for a in piece.iter("DataArray")}
+        cells = int(piece.get("NumberOfCells"))
+        self.assertEqual(set(arrays["types"]), {"78"})
+        self.assertEqual(arrays["tetrahedron"], ["0"] * cells)
+        self.assertEqual(arrays["offsets"], [str(10 * (i + 1)) for i in range(cells)])
+        self.assertEqual(len(arrays["Points"]), 3 * int(piece.get("NumberOfPoints")))
+        self.assertEqual(sorted(set(map(int, arrays["connectivity"]))), list(range(int(piece.get("NumberOfPoints")))))
+        # A collapsed tetrahedron has its own control points, and its attribute beside them.
+        done = run("convert", TETRAHEDRON, "-", "--to", "vtu")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done)
+        self.assertIn('Name="density"', done.stdout)
+
+    def test_convert_to_cells_refuses_what_it_cannot_show(self):
+        done = run("convert", MODELS / "dms" / "attribute_domain.vdms", "o.vtu", cwd=self.folder)
+        self.assertEqual(done.returncode, 1, done)
+        self.assertIn("it would lose something: 1 attribute over a domain of its own. --lossy", " ".join(done.stderr.split()))
+        self.assertFalse((self.folder / "o.vtu").exists())
+        done = run("convert", MODELS / "dms" / "attribute_domain.vdms", "o.vtu", "--lossy", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("lossy: 1 attribute over a domain of its own", " ".join(done.stdout.split()))
+        for code, data in dms_defective.defective().items():
+            if code in ("jacobian", "jacobian-zero", "meeting", "crossing"):
+                continue
+            (self.folder / "bad.vdms").write_bytes(data)
+            done = run("convert", "bad.vdms", "bad.vtu", cwd=self.folder)
+            self.assertEqual(done.returncode, 1, done)
+            self.assertIn(f"bad.vdms: {code}: ", " ".join(done.stderr.split()))
+            self.assertFalse((self.folder / "bad.vtu").exists())
 
     def test_certify_proves_a_solid_and_a_fold(self):
         folded = MODELS / "dms" / "folded.vdms"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// cli/micro_convert.h: veritope convert for microstructures and simplex-spline solids: they are written in their
-// canonical form.
+// cli/canonical_convert.h: veritope convert for microstructures and simplex-spline solids: they are written in their
+// canonical form, and solids as Bezier cells for viewers.
 #pragma once
 #include "cli/convert_options.h"
 #include "cli/model_input.h"

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/dms/dms_restriction.h: a polynomial map of a tetrahedron on other tetrahedra, rounded once.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "solids/dms/dms_knots.h"
+
+namespace veritope {
+
+/// Blossoms in integers: no greatest common divisor is taken, so a tetrahedron costs a tenth of what
+/// TetrahedralPolynomial::on takes.
+class DmsRestriction {
+ public:
+  /// components[c] has the Bernstein coefficients of component c on the tetrahedron, in the order of tetrahedral_index.
+  /// REQUIRES corners that are not in one plane.
+  DmsRestriction(int degree, const std::array<DmsPoint, 4>& corners,
+                 std::span<const std::vector<Rational>> components);
+
+  /// The same coefficients on another tetrahedron, each the nearest binary64 number.
+  std::vector<std::vector<double>> on(const std::array<DmsPoint, 4>& corners);
+
+ private:
+  // The barycentric coordinates of a point are numerators[m] / denominator.
+  struct Weights {
+    std::array<Integer, 4> numerators;
+    Integer denominator;
+  };
+  struct Polynomial {
+    std::vector<Integer> numerators;
+    Integer denominator;
+  };
+  using Corners = std::array<const Weights*, 4>;
+
+  const Weights& weights(const DmsPoint& point);
+  void blossom(const Polynomial& net, TetrahedralIndex index, std::size_t first,
+               const Corners& corners, std::vector<double>& out) const;
+
+  int degree_;
+  DmsPoint origin_;
+  DmsMatrix to_unit_;
+  std::vector<Polynomial> components_;
+  std::map<DmsPoint, Weights> weights_;
+};
+
+}  // namespace veritope

@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
     const FastDmsResults results(fast, points);
     const std::string wrong = check_fast_dms(drawn.model, points, results, greatest);
     const FastDmsCounts& c = fast.counts();
-    sum.fast += c.fast, sum.pairs += c.pairs, sum.not_located += c.not_located;
+    sum.fast += c.fast, sum.pairs += c.pairs, sum.near_faces += c.near_faces;
     sum.open_sign += c.open_sign, sum.wide += c.wide, sum.unprepared += c.unprepared;
     if (wrong.empty()) continue;
     ++broken;
@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
       "{\"name\":\"dms_fast\",\"value\":%ld,\"goal\":\"0 broken bounds\",\"models\":%llu,"
       "\"points_fast\":%llu,\"points_by_pairs\":%llu,\"near_faces\":%llu,\"open_signs\":%llu,"
       "\"wide\":%llu,\"out_of_range\":%llu,\"greatest_share_of_a_bound\":%.3g}\n",
-      broken, count(rounds), count(sum.fast), count(sum.pairs), count(sum.not_located),
+      broken, count(rounds), count(sum.fast), count(sum.pairs), count(sum.near_faces),
       count(sum.open_sign), count(sum.wide), count(sum.unprepared), greatest);
   return broken == 0 ? 0 : 1;
 }

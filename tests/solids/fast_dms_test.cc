@@ -46,10 +46,10 @@ void expect_bounds(std::uint64_t first, long models, int degree, double toleranc
     const FastDmsResults results(fast, points);
     ASSERT_EQ(check_fast_dms(drawn.model, points, results, greatest), "") << drawn.text;
     sum.fast += fast.counts().fast, sum.pairs += fast.counts().pairs;
-    sum.not_located += fast.counts().not_located, sum.wide += fast.counts().wide;
+    sum.near_faces += fast.counts().near_faces, sum.wide += fast.counts().wide;
   }
   EXPECT_LT(greatest, 1);
-  EXPECT_GT(sum.not_located, 0u);
+  EXPECT_GT(sum.near_faces, 0u);
   if (tolerance > 1e-100) {
     EXPECT_GT(tolerance > 1 ? sum.fast : sum.pairs, 0u);
   }
@@ -145,14 +145,34 @@ TEST(FastDms, PointsTakeEveryWay) {
   points.add({0, 0, -Rational::power_of_two(-1074)}, false);
   double greatest = 0;
   EXPECT_EQ(check_fast_dms(model, points, FastDmsResults(fast, points), greatest), "");
-  EXPECT_EQ(fast.counts().fast, 2u);
-  EXPECT_EQ(fast.counts().not_located,
+  EXPECT_EQ(fast.counts().fast, 5u);
+  EXPECT_EQ(fast.counts().near_faces,
             4u);  // the last one is outside, but not by more than rounding errors
-  EXPECT_EQ(fast.counts().outside, 1u);
+  EXPECT_EQ(fast.counts().outside, 2u);
   const FastDmsResults results(fast, points, false);
   EXPECT_TRUE(std::isnan(results.value[4 * 5]));
   EXPECT_EQ(results.value_bound[4 * 5], std::numeric_limits<double>::infinity());
   EXPECT_TRUE(std::isnan(results.value[4 * 6]));
+}
+
+// A tetrahedron with a height of 2^-60 has numbers out of range; its neighbour with 2^10 points does not.
+TEST(FastDms, ThinNeighboursLeavePointsFast) {
+  DmsModel domain;
+  domain.clouds = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}};
+  const Rational third = ratio(1, 3), apex = third + Rational::power_of_two(-60);
+  domain.clouds.push_back({{apex, apex, apex}});
+  domain.tetrahedra = {{0, 1, 2, 3}, {1, 2, 3, 4}};
+  set_control_by_rule(domain, DmsControlRule::kGreville, {});
+  const DmsModel model = make_dms(domain, {2, std::nullopt, DmsControlRule::kGreville}).value();
+  FastDms fast(model, fast_options());
+  FastDmsPoints points;
+  for (int i = 0; i < 1024; ++i)
+    points.add({ratio(1 + i % 8, 32), ratio(1 + i / 8 % 8, 32), ratio(1 + i / 64, 32)}, false);
+  points.add({third, third, third}, true);
+  double greatest = 0;
+  EXPECT_EQ(check_fast_dms(model, points, FastDmsResults(fast, points), greatest), "");
+  EXPECT_LE(fast.counts().exact(), 2u);  // those on the common face
+  EXPECT_GE(fast.counts().fast, 1000u);
 }
 
 // With collapsed clouds simplex splines jump on planes through faces; inside of a tetrahedron of another size such a

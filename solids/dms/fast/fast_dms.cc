@@ -112,14 +112,17 @@ class FastDms::Work {
     where_.resize(points_.size());
     std::uint32_t inside = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const std::uint32_t t = cells_.locate(points_[i], is_rounded_[i]);
+      std::uint32_t t = cells_.locate(points_[i], is_rounded_[i]);
+      if (t == internal::kFastUndecided) {
+        ++counts_.near_faces;
+        const auto place = evaluator_.locate(exact_point(static_cast<std::uint32_t>(i)));
+        t = place ? place->tetrahedron : kNoTetrahedron;
+      }
       where_[i] = t;
       if (out_.tetrahedron != nullptr) out_.tetrahedron[i] = t;
       if (t == kNoTetrahedron) {
         ++counts_.outside;
         write_outside(i);
-      } else if (t == internal::kFastUndecided) {
-        put_off(i, counts_.not_located);
       } else {
         if (slots_[t].count++ == 0) met_.push_back(t);
         ++inside;
@@ -132,7 +135,7 @@ class FastDms::Work {
       first += std::exchange(slots_[t].count, 0);
     }
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (where_[i] < internal::kFastUndecided) {
+      if (where_[i] != kNoTetrahedron) {
         Slot& slot = slots_[where_[i]];
         sorted_[slot.first + slot.count++] = static_cast<std::uint32_t>(i);
       }

@@ -50,11 +50,12 @@ struct FastDmsCounts {
   std::uint64_t fast = 0;
   std::uint64_t pairs = 0;  ///< with pairs of numbers, as a sign was open or the bound too great
   std::uint64_t outside = 0;
-  std::uint64_t not_located = 0;  ///< exactly, as a face is too near
   std::uint64_t open_sign = 0;  ///< exactly, as a plane is too near on which a simplex spline jumps
   std::uint64_t wide = 0;       ///< exactly, as the bound was too great
   std::uint64_t unprepared = 0;  ///< exactly: no tables yet, or numbers out of range
-  std::uint64_t exact() const { return not_located + open_sign + wide + unprepared; }
+  /// Points, counted above, whose tetrahedron was decided exactly, as a face is too near.
+  std::uint64_t near_faces = 0;
+  std::uint64_t exact() const { return open_sign + wide + unprepared; }
 };
 
 /// Claim    |computed - exact| <= bound for each number, and `tetrahedron` is the one of rule H; exact is what

@@ -28,6 +28,14 @@ FastStore::FastStore(const DmsModel& model, const DmsEvaluator& evaluator, FastC
     is_in_range_ = is_in_range_ && (most == 0 || (most >= kLeastControl && most <= kMostControl));
 }
 
+// Then its sets of knots have their hulls inside of it, and no value elsewhere. Thin tetrahedra, whose numbers are out of
+// range, would otherwise keep their neighbours from having tables.
+bool FastStore::is_collapsed(std::uint32_t t) const {
+  const TetrahedronCorners& corners = model_.tetrahedra[t];
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](std::uint32_t v) { return model_.clouds[v].size() == 1; });
+}
+
 const FastTables* FastStore::tables(std::uint32_t t) {
   const auto found = tables_.find(t);
   if (found != tables_.end()) return found->second.get();
@@ -63,7 +71,7 @@ std::unique_ptr<FastRegion> FastStore::make_region(std::uint32_t t) {
   };
   if (!add(t)) return nullptr;
   for (const std::uint32_t other : evaluator_.near(evaluator_.corner_box(t)))
-    if (other != t && !add(other)) return nullptr;
+    if (other != t && !is_collapsed(other) && !add(other)) return nullptr;
   return made;
 }
 

@@ -23,6 +23,7 @@ class FastStore {
   double greatest(std::size_t component) const { return greatest_[component]; }
 
  private:
+  bool is_collapsed(std::uint32_t tetrahedron) const;
   const FastTables* tables(std::uint32_t tetrahedron);
   std::unique_ptr<FastRegion> make_region(std::uint32_t tetrahedron);
 

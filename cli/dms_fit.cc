@@ -2,6 +2,7 @@
 // veritope dms fit.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -60,6 +61,9 @@ Result<DmsData> read_data(const std::string& path, const ReadLimits& limits) {
       return error(Code::kSyntax,
                    "column " + std::to_string(fault->column) + ": " + fault->message);
     if (!row) continue;
+    for (std::size_t k = 0; k < row->size(); ++k)
+      if (!std::isfinite(nearest_double((*row)[k])))
+        return error(Code::kNotFinite, "number " + std::to_string(k + 1) + " is beyond binary64");
     if (data.points.size() == kMaxDataPoints)
       return error(Code::kOverLimit,
                    "there are more than " + std::to_string(kMaxDataPoints) + " points");

@@ -86,7 +86,11 @@ class DmsIsoRun {
     options.in_solid = options_.in_solid;
     if (options_.max_cells) options.max_cells = static_cast<std::size_t>(*options_.max_cells);
     Result<DmsIso> iso = find_dms_iso(*component.spline, options, kMaxListed);
-    if (!iso) return iso.error();
+    if (!iso) {
+      Error error = iso.error();
+      error.place.file = options_.model;
+      return error;
+    }
     report_.iso = std::move(*iso);
     return ok_status();
   }

@@ -57,7 +57,7 @@ struct DmsIso {
 /// @param model  one that has the attribute: for an attribute over a domain of its own the attribute domain
 /// REQUIRES a model without defects of its domain and its clouds (solids/dms/dms_defects.h), attribute <
 /// model.attributes.size(), within > 0.
-/// @error kNotFinite for a vertex beyond binary64
+/// @error kNotFinite for a vertex beyond binary64, with the tetrahedron as the entity
 /// @cost  a form of each cell: at most max_cells of them, and those of one more edge
 Result<DmsIso> find_dms_iso(const DmsModel& model, const DmsIsoOptions& options,
                             std::size_t max_listed = 100);

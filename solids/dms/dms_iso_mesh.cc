@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -42,8 +43,10 @@ class IsoDrawing {
     for (const IsoCell& cell : cells_.cells)
       if (cell.is_alive && cell.off == 0) add(cell);
     count();
-    return is_finite_ ? ok_status()
-                      : Status(Error{Code::kNotFinite, {}, "a vertex is beyond binary64"});
+    if (!beyond_) return ok_status();
+    Error error{Code::kNotFinite, {}, "a vertex in this tetrahedron is beyond binary64"};
+    error.place.entity = *beyond_;
+    return error;
   }
 
  private:
@@ -93,7 +96,8 @@ class IsoDrawing {
       std::copy_n(value.value.begin(), 3, at.begin());
     }
     const Vec3d p{nearest_double(at[0]), nearest_double(at[1]), nearest_double(at[2])};
-    is_finite_ = is_finite_ && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) && !beyond_)
+      beyond_ = cell.tetrahedron;
     out_.mesh.positions.push_back(p);
     return found->second;
   }
@@ -166,7 +170,7 @@ class IsoDrawing {
   DmsEvaluator* map_;
   DmsIso& out_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;
-  bool is_finite_ = true;
+  std::optional<std::uint32_t> beyond_;  // the first tetrahedron with a vertex beyond binary64
 };
 
 }  // namespace

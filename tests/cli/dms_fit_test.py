@@ -127,6 +127,7 @@ class DmsFit(Folder):
         self.assertIn("standard input:2: column 6: each line has as many numbers as the first one, 4, but there are 3", self.refused("0 0 0 1\n0 0 0\n"))
         self.assertIn("a line has at least 4 numbers, but there are 3", self.refused("0 0 0\n"))
         self.assertIn("there are no data", self.refused("# nothing\n"))
+        self.assertIn("standard input:2: number 4 is beyond binary64", self.refused("0 0 0 1\n0 0 0 1e309\n"))
         self.assertIn("no point lies in the closed domain", self.refused("5 5 5 1\n", status=1))
         self.assertIn("more than --max-tetrahedra 1", self.refused("0 0 0 1\n", "--max-tetrahedra", "1"))
 

@@ -76,6 +76,17 @@ class DmsIso(Folder):
         answer = self.iso("--max-cells", "2000", level=str(at_vertex), status=3)
         self.assertIn("vertex", {cell["why"] for cell in answer["undecided"]})
 
+    def test_a_vertex_beyond_binary64_is_refused_with_its_tetrahedron(self):
+        data = json.loads(sphere())
+        for entry in data["control"]:
+            entry["value"][0] = str(F(entry["value"][0]) * 10 ** 400)
+        (self.folder / "far.vdms").write_text(json.dumps(data))
+        done = run("dms", "iso", "far.vdms", "--attribute", "a", "--level", "1/4", "--within", "2", "--space", "solid", "-o", "f.off",
+                   cwd=self.folder)
+        self.assertEqual(done.returncode, 4, done)
+        self.assertRegex(" ".join(done.stderr.split()), "far.vdms: .*[0-9]+: a vertex in this tetrahedron is beyond binary64")
+        self.assertFalse((self.folder / "f.off").exists())
+
     def test_too_few_cells_leave_wide_ones(self):
         answer = self.iso("--max-cells", "500", within="0.001", status=3)
         self.assertIn("wide", {cell["why"] for cell in answer["undecided"]})

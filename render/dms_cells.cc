@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -12,86 +11,27 @@
 #include "render/spline_view_internal.h"
 #include "render/vtu_text_internal.h"
 #include "robust/base/check.h"
-#include "robust/base/parallel.h"
-#include "solids/dms/dms_parts.h"
-#include "solids/dms/dms_piece.h"
-#include "solids/dms/dms_restriction.h"
 
 namespace veritope {
 namespace {
 
-constexpr int kTetrahedronType = 78;          // VTK_BEZIER_TETRAHEDRON
-constexpr std::size_t kTetrahedraInRound = 64;  // a thread's
-
-// For each control point of a part, in VTK's order, its place in the domain and the components there, rounded.
-using Part = std::vector<std::vector<double>>;
-// The parts of a tetrahedron, or why there are none.
-using Parts = Result<std::vector<Part>>;
-
-class PartMaker {
- public:
-  PartMaker(const DmsModel& model, const DmsKnotTable& knots, const DmsEvaluator& evaluator,
-            std::size_t max_cells)
-      : model_(model), knots_(knots), pieces_(model, evaluator), max_cells_(max_cells) {}
-
-  Parts make(std::uint32_t tetrahedron) {
-    const auto cells = polynomial_parts(knots_, tetrahedron, max_cells_);
-    if (!cells)
-      return internal::view_error(Code::kOverLimit, tetrahedron,
-                                  "triangles of knots cut the tetrahedron into more than " +
-                                      std::to_string(max_cells_) + " cells");
-    std::vector<Part> out;
-    for (const DmsCell& cell : *cells) {
-      const auto components = pieces_.components(cell[0], model_.num_components());
-      VT_CHECK(components.has_value(), "parts of tetrahedra are in the domain");
-      DmsRestriction map(model_.degree, cell[0], *components);
-      for (const auto& corners : cell) out.push_back(part_on(corners, map));
-    }
-    for (const Part& part : out)
-      for (const std::vector<double>& point : part)
-        if (!std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); }))
-          return internal::view_error(Code::kNotFinite, tetrahedron,
-                                      "a control point is too large for binary64");
-    return out;
-  }
-
- private:
-  Part part_on(const std::array<DmsPoint, 4>& corners, DmsRestriction& map) const {
-    const auto components = map.on(corners);
-    Part out(num_tetrahedral_indices(model_.degree));
-    for_each_tetrahedral_index(model_.degree, [&](const TetrahedralIndex& index) {
-      std::vector<double>& point = out[vtk_tetrahedron_index(index)];
-      for (std::size_t c = 0; c < 3; ++c) {
-        Rational sum;
-        for (std::size_t m = 0; m < 4; ++m) sum += Rational(index[m]) * corners[m][c];
-        point.push_back(nearest_double(sum / Rational(model_.degree)));
-      }
-      for (const std::vector<double>& component : components)
-        point.push_back(component[tetrahedral_index(index)]);
-    });
-    return out;
-  }
-
-  const DmsModel& model_;
-  const DmsKnotTable& knots_;
-  DmsPieces pieces_;
-  std::size_t max_cells_;
-};
+constexpr int kBezierTetrahedronType = 78;  // VTK_BEZIER_TETRAHEDRON
 
 class DmsGrid {
  public:
   explicit DmsGrid(const DmsModel& model) : model_(model), values_(model.attributes.size()) {}
 
-  Status add(const Part& part, std::uint32_t tetrahedron) {
-    for (const std::vector<double>& point : part) {
+  /// The control points in VTK's order: their places in the domain, and the components there.
+  Status add(std::uint32_t tetrahedron, const std::vector<std::vector<double>>& points) {
+    for (const std::vector<double>& point : points) {
       connectivity_ += std::to_string(number_of(point)) + ' ';
       if (numbers_.size() > internal::kMostViewPoints)
         return internal::view_error(Code::kOverLimit, tetrahedron, "more than 33554432 points");
     }
     connectivity_ += '\n';
-    num_corners_ += part.size();
+    num_corners_ += points.size();
     offsets_ += std::to_string(num_corners_) + '\n';
-    types_ += std::to_string(kTetrahedronType) + '\n';
+    types_ += std::to_string(kBezierTetrahedronType) + '\n';
     tetrahedra_ += std::to_string(tetrahedron) + '\n';
     for (int a = 0; a < 3; ++a) degrees_ += std::to_string(model_.degree) + (a == 2 ? '\n' : ' ');
     ++num_cells_;
@@ -113,6 +53,7 @@ class DmsGrid {
   }
 
  private:
+  // The number of a control point: its place in the domain and the components there.
   std::size_t number_of(const std::vector<double>& point) {
     std::string key(point.size() * sizeof(double), '\0');
     for (std::size_t i = 0; i < point.size(); ++i) {
@@ -139,31 +80,60 @@ class DmsGrid {
   std::vector<std::string> values_;
 };
 
+using Points = std::vector<std::vector<double>>;
+
+// As DmsGrid::add takes them.
+Points points_of(const std::array<DmsPoint, 4>& corners, DmsRestriction& map, int degree) {
+  const auto components = map.on(corners);
+  Points out(num_tetrahedral_indices(degree));
+  for_each_tetrahedral_index(degree, [&](const TetrahedralIndex& index) {
+    std::vector<double>& point = out[vtk_tetrahedron_index(index)];
+    for (std::size_t c = 0; c < 3; ++c) {
+      Rational sum;
+      for (std::size_t m = 0; m < 4; ++m) sum += Rational(index[m]) * corners[m][c];
+      point.push_back(nearest_double(sum / Rational(degree)));
+    }
+    for (const std::vector<double>& component : components)
+      point.push_back(component[tetrahedral_index(index)]);
+  });
+  return out;
+}
+
+Result<std::vector<Points>> cells_of(DmsPolynomials& polynomials, std::uint32_t tetrahedron,
+                                     int degree) {
+  std::vector<Points> out;
+  const auto add = [&](const DmsCell& cell, DmsRestriction& map) -> Status {
+    for (const auto& corners : cell.tetrahedra) {
+      const Points& points = out.emplace_back(points_of(corners, map, degree));
+      for (const std::vector<double>& point : points)
+        if (!std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); }))
+          return error_in_tetrahedron(Code::kNotFinite, tetrahedron,
+                                      "a control point is too large for binary64");
+    }
+    return ok_status();
+  };
+  if (const Status status = polynomials.visit_cells(tetrahedron, add); !status)
+    return status.error();
+  return out;
+}
+
 }  // namespace
 
-Result<DmsCells> dms_cells(const DmsModel& model, const DmsCellsOptions& options) {
+Result<DmsCells> dms_cells(const DmsModel& model, const DmsCellOptions& options) {
   VT_CHECK(model.num_coordinates == 3, "an attribute domain has no shape");
-  const DmsKnotTable knots(model);
-  const DmsEvaluator evaluator(model);
   DmsGrid grid(model);
-  const std::size_t jobs = options.jobs == 0 ? hardware_jobs() : options.jobs;
-  const std::size_t in_round = jobs * kTetrahedraInRound;
-  for (std::size_t first = 0; first < model.tetrahedra.size(); first += in_round) {
-    const std::size_t size = std::min(in_round, model.tetrahedra.size() - first);
-    std::vector<std::optional<Parts>> made(size);
-    parallel_for(size, kTetrahedraInRound / 8, options.jobs,
-                 [&](std::size_t, std::size_t begin, std::size_t end) {
-                   PartMaker maker(model, knots, evaluator, options.max_cells);
-                   for (std::size_t i = begin; i < end; ++i)
-                     made[i] = maker.make(static_cast<std::uint32_t>(first + i));
-                 });
-    for (std::size_t i = 0; i < size; ++i) {
-      if (!*made[i]) return made[i]->error();
-      for (const Part& part : **made[i])
-        if (Status status = grid.add(part, static_cast<std::uint32_t>(first + i)); !status)
-          return status.error();
-    }
-  }
+  const Status status = for_each_tetrahedron<std::vector<Points>>(
+      model, options,
+      [&](DmsPolynomials& polynomials, std::uint32_t tetrahedron) {
+        return cells_of(polynomials, tetrahedron, model.degree);
+      },
+      [&](std::uint32_t tetrahedron, const std::vector<Points>& cells) {
+        Status added = ok_status();
+        for (const Points& points : cells)
+          if (added) added = grid.add(tetrahedron, points);
+        return added;
+      });
+  if (!status) return status.error();
   return grid.write();
 }
 

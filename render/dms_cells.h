@@ -3,20 +3,13 @@
 // part of the domain on which the map is one polynomial.
 // Design: docs/design/0105-bezier-cells-of-simplex-splines.md.
 #pragma once
-#include <cstddef>
 #include <cstdint>
 #include <string>
 
 #include "robust/base/result.h"
-#include "solids/dms/dms_model.h"
+#include "solids/dms/dms_polynomials.h"
 
 namespace veritope {
-
-struct DmsCellsOptions {
-  unsigned jobs = 1;  ///< 0: as many as the machine runs
-  /// Convex cells into which triangles of knots may cut a tetrahedron.
-  std::size_t max_cells = 4096;
-};
 
 struct DmsCells {
   std::string vtu;  ///< a .vtu file in ASCII
@@ -28,10 +21,10 @@ struct DmsCells {
 /// tetrahedron of the domain that each cell is a part of. Control points that cells share are written once.
 /// Bytes do not depend on `jobs`.
 /// REQUIRES a model without defects (solids/dms/dms_defects.h) that has coordinates.
-/// @error kOverLimit with the tetrahedron as the entity, or for more than 2^25 points; kNotFinite with the tetrahedron
-/// for a number beyond binary64
-/// @cost the coefficients of each part (solids/dms/dms_piece.h); collapsed clouds leave one part a tetrahedron, inner
-/// ones of degree 2 some tens, outward ones of degree 3 hundreds or thousands
-Result<DmsCells> dms_cells(const DmsModel& model, const DmsCellsOptions& options);
+/// @error kOverLimit with the tetrahedron as the entity, or for more than 2^25 points; kNotFinite likewise for a number
+/// beyond binary64
+/// @cost the polynomial of each convex cell (solids/dms/dms_piece.h) and its restrictions; collapsed clouds leave one
+/// cell a tetrahedron, inner ones of degree 2 some tens, outward ones of degree 3 hundreds or thousands
+Result<DmsCells> dms_cells(const DmsModel& model, const DmsCellOptions& options);
 
 }  // namespace veritope

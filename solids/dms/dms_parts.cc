@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "robust/base/check.h"
-#include "solids/dms/dms_region.h"
 
 namespace veritope {
 namespace {
@@ -129,7 +128,7 @@ class Parts {
                     [&](const DmsSupport& s) { return near.misses(knots_.knots(s)); });
       const auto three = near.find_cut(cell.supports);
       if (!three) {
-        parts_.push_back(divided(cell));
+        parts_.push_back(finished(cell));
         continue;
       }
       if (parts_.size() + todo.size() + 2 > max_cells) return std::nullopt;
@@ -158,16 +157,21 @@ class Parts {
     out.number = dot_product(out.vector, o);
     return out;
   }
-  // Tetrahedra from corner 0 over the facets that do not have it.
-  static DmsCell divided(const Cell& cell) {
+  static DmsCell finished(Cell& cell) {
     DmsCell out;
-    for (const Facet& f : cell.facets) {
+    for (Facet& f : cell.facets) {
       const std::vector<std::uint32_t>& c = f.corners;
-      if (std::find(c.begin(), c.end(), 0) != c.end()) continue;
-      for (std::size_t i = 1; i + 1 < c.size(); ++i)
-        out.push_back(
-            {cell.corners[0], cell.corners[c[0]], cell.corners[c[i]], cell.corners[c[i + 1]]});
+      if (std::find(c.begin(), c.end(), 0) == c.end())
+        for (std::size_t i = 1; i + 1 < c.size(); ++i)
+          out.tetrahedra.push_back(
+              {cell.corners[0], cell.corners[c[0]], cell.corners[c[i]], cell.corners[c[i + 1]]});
+      if (side_of_plane(cell.corners, f.plane) < 0) {
+        for (Rational& x : f.plane.vector) x.negate();
+        f.plane.number.negate();
+      }
+      out.planes.push_back(std::move(f.plane));
     }
+    out.corners = std::move(cell.corners);
     return out;
   }
 

@@ -8,12 +8,16 @@
 #include <optional>
 #include <vector>
 
-#include "solids/dms/dms_knots.h"
+#include "solids/dms/dms_region.h"
 
 namespace veritope {
 
-/// A convex cell, divided into tetrahedra from one of its corners.
-using DmsCell = std::vector<std::array<DmsPoint, 4>>;
+/// A convex cell.
+struct DmsCell {
+  std::vector<DmsPoint> corners;
+  std::vector<DmsPlane> planes;                         ///< of its facets; it is where they have greater values
+  std::vector<std::array<DmsPoint, 4>> tetrahedra;      ///< it is divided into these from its first corner
+};
 
 /// Cells that tile a tetrahedron of the domain. None of them is reached by a triangle of knots that could crease the map
 /// there, so that the map is one polynomial on each and DmsPieces accepts it. Where clouds are collapsed nearby, the

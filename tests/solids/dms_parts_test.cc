@@ -57,20 +57,22 @@ TEST(DmsParts, FillTheTetrahedronAndHaveOnePolynomialEach) {
     ASSERT_TRUE(cells.has_value()) << drawn.text;
     with_many += cells->size() > 1 ? 1 : 0;
     Rational sum;
-    for (const DmsCell& cell : *cells)
-      for (const Corners& part : cell) {
+    for (const DmsCell& cell : *cells) {
+      for (const DmsPlane& plane : cell.planes) EXPECT_EQ(side_of_plane(cell.corners, plane), 1);
+      for (const Corners& part : cell.tetrahedra) {
         EXPECT_NE(six_volumes(part), Rational()) << drawn.text;
         sum += six_volumes(part);
       }
+    }
     EXPECT_EQ(sum, six_volumes(knots.corners(t))) << drawn.text;
     for (int tries = 0; tries < 6; ++tries) {
       const DmsCell& cell = (*cells)[random.below(cells->size())];
-      const Corners& part = cell[random.below(cell.size())];
+      const Corners& part = cell.tetrahedra[random.below(cell.tetrahedra.size())];
       const auto coefficients = pieces.coefficients(part);
       ASSERT_TRUE(coefficients.has_value()) << drawn.text;
-      const auto first = pieces.components(cell[0], 3);
+      const auto first = pieces.components(cell.tetrahedra[0], 3);
       ASSERT_TRUE(first.has_value()) << drawn.text;
-      const auto restricted = DmsRestriction(model.degree, cell[0], *first).on(part);
+      const auto restricted = DmsRestriction(model.degree, cell.tetrahedra[0], *first).on(part);
       for (std::size_t k = 0; k < coefficients->size(); ++k)
         for (std::size_t c = 0; c < 3; ++c)
           EXPECT_EQ(restricted[c][k], nearest_double((*coefficients)[k][c])) << drawn.text;
@@ -93,8 +95,8 @@ TEST(DmsParts, AreTheTetrahedronWhereCloudsAreCollapsed) {
   const auto parts = polynomial_parts(knots, 0, 1);
   ASSERT_TRUE(parts.has_value());
   ASSERT_EQ(parts->size(), 1u);
-  ASSERT_EQ(parts->front().size(), 1u);
-  EXPECT_EQ(six_volumes(parts->front()[0]), six_volumes(knots.corners(0)));
+  ASSERT_EQ(parts->front().tetrahedra.size(), 1u);
+  EXPECT_EQ(six_volumes(parts->front().tetrahedra[0]), six_volumes(knots.corners(0)));
 }
 
 TEST(DmsParts, EndAtTheLimitOfCells) {

@@ -55,7 +55,7 @@ ExitCode write_dms_picture(const DmsModel& model, const ConvertOptions& options,
              ". --lossy writes it all the same; --to vdms keeps everything");
     return kExitInvalid;
   }
-  const Result<DmsCells> cells = dms_cells(model, {options.input.reading.jobs});
+  const Result<DmsCells> cells = dms_cells(model, {static_cast<unsigned>(options.input.reading.jobs)});
   if (!cells) {
     Error error = cells.error();
     error.place.file = options.input.files[0];

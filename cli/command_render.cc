@@ -352,6 +352,8 @@ class RenderRun {
       complain(harmless(dms_refusal(path(), defects)));
       return kExitInvalid;
     }
+    if (is_in_solid(options_.dms))
+      if (const ExitCode exit = require_certified(*model); exit != kExitValid) return exit;
     report_.seconds_build = watch_.lap();
     progress_.phase(shown_path(path()), "drawing");
     Result<DmsDrawing> drawn =
@@ -366,6 +368,22 @@ class RenderRun {
     set_bounds(drawn->view);
     const ExitCode exit = write(drawn->view);
     return drawn->doubt.empty() ? exit : first_of(kExitUndecided, exit);
+  }
+
+  // Points of the solid have one preimage each if the map is one to one, as the certificate of VALID says.
+  ExitCode require_certified(const ModelFile& model) {
+    progress_.phase(shown_path(path()), "proving");
+    CertifyOptions options;
+    options.jobs = static_cast<unsigned>(options_.jobs);
+    const Result<Certified> done = certify(model, options);
+    progress_.clear();
+    if (!done) return refuse(done.error());
+    if (done->verdict == Verdict::kValid) return kExitValid;
+    const bool is_invalid = done->verdict == Verdict::kInvalid;
+    complain(harmless(path() + ": --space solid needs a map that is proved to be one to one, and " +
+                      (is_invalid ? "this model is INVALID" : "this model is UNDECIDED") +
+                      "; `veritope certify` says where and why"));
+    return is_invalid ? kExitInvalid : kExitUndecided;
   }
 
   void set_bounds(const ModelView& view) {

@@ -31,12 +31,11 @@ Result<DmsDrawing> xray_of(const DmsModel& model, std::size_t component,
   return out;
 }
 
-Result<DmsDrawing> volume_of(const DmsModel& model, std::size_t component,
-                             const DmsRenderOptions& options, const PictureOptions& look) {
+Result<DmsDrawing> volume_of(const DmsField& field, const DmsRenderOptions& options,
+                             const PictureOptions& look) {
   const TransferFunction transfer =
-      options.transfer ? TransferFunction(*options.transfer) : default_transfer(model, component);
-  const Result<DmsVolumePicture> picture =
-      draw_dms_volume(model, component, transfer, look, options.step);
+      options.transfer ? TransferFunction(*options.transfer) : default_transfer(field);
+  const Result<DmsVolumePicture> picture = draw_dms_volume(field, transfer, look, options.step);
   if (!picture) return picture.error();
   DmsDrawing out;
   out.view.bytes = png_bytes(picture->image);
@@ -47,12 +46,11 @@ Result<DmsDrawing> volume_of(const DmsModel& model, std::size_t component,
   return out;
 }
 
-Result<DmsDrawing> slice_of(const DmsModel& model, std::size_t component,
-                            const DmsRenderOptions& options, const PictureOptions& look) {
-  const DmsSlicePlane cut =
-      options.plane ? *options.plane : middle_cut(domain_box(model), look.view);
+Result<DmsDrawing> slice_of(const DmsField& field, const DmsRenderOptions& options,
+                            const PictureOptions& look) {
+  const DmsSlicePlane cut = options.plane ? *options.plane : middle_cut(field.box(), look.view);
   const Result<DmsSlicePicture> picture =
-      draw_dms_slice(model, component, cut, look, {options.range, options.isolines.value_or(0)});
+      draw_dms_slice(field, cut, look, {options.range, options.isolines.value_or(0)});
   if (!picture) return picture.error();
   DmsDrawing out;
   out.view.bytes = png_bytes(picture->image);
@@ -66,18 +64,31 @@ Result<DmsDrawing> slice_of(const DmsModel& model, std::size_t component,
 
 }  // namespace
 
+bool is_in_solid(const DmsRenderOptions& options) {
+  const bool is_picture = options.mode == DmsMode::kVolume || options.mode == DmsMode::kSlice;
+  return is_picture && !options.in_domain.value_or(true);
+}
+
 Result<DmsDrawing> draw_dms(const DmsModel& model, const DmsRenderOptions& options,
                             const PictureOptions& look) {
   const Result<DmsComponent> found = dms_component(model, *options.attribute);
   if (!found) return found.error();
-  const DmsModel& spline = *found->spline;
-  const std::size_t component = found->component;
-  Result<DmsDrawing> out =
-      options.mode == DmsMode::kXray     ? xray_of(spline, component, options, look)
-      : options.mode == DmsMode::kVolume ? volume_of(spline, component, options, look)
-                                         : slice_of(spline, component, options, look);
+  DmsField field{found->spline, found->component, nullptr};
+  std::optional<DmsInverse> inverse;
+  if (is_in_solid(options)) {
+    DmsInverseOptions how;
+    if (found->spline == &model) how.component = found->component;
+    how.jobs = look.jobs;
+    Result<DmsInverse> made = DmsInverse::make(model, how);
+    if (!made) return made.error();
+    field.solid = &inverse.emplace(std::move(*made));
+  }
+  Result<DmsDrawing> out = options.mode == DmsMode::kXray
+                               ? xray_of(*field.spline, field.component, options, look)
+                           : options.mode == DmsMode::kVolume ? volume_of(field, options, look)
+                                                              : slice_of(field, options, look);
   if (!out) return out;
-  out->view.box = domain_box(model);
+  out->view.box = field.solid != nullptr ? field.box() : domain_box(model);
   out->facts.attribute = *options.attribute;
   return out;
 }

@@ -41,13 +41,16 @@ std::string dms_render_contradiction(const DmsRenderOptions& options);
 /// The sides of a picture without --size.
 std::array<std::size_t, 2> dms_picture_size(const DmsRenderOptions& options);
 
+/// Whether rays and planes are in the solid: then its map must be certified.
+bool is_in_solid(const DmsRenderOptions& options);
+
 struct DmsDrawing {
   ModelView view;  ///< without bytes if nothing can be drawn: then there is a doubt
   report::DmsPicture facts;
   std::string doubt;  ///< what is not decided; empty: nothing
 };
 /// Pictures of all modes but kIso.
-/// REQUIRES a model without defects, options that do not contradict each other.
+/// REQUIRES a model without defects, and a certified one if is_in_solid; options that do not contradict each other.
 /// @error kBadArgument for an attribute that the model lacks, and as the functions of render/
 Result<DmsDrawing> draw_dms(const DmsModel& model, const DmsRenderOptions& options,
                             const PictureOptions& look);

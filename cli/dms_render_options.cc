@@ -127,7 +127,7 @@ std::array<Given, 10> given_options(const DmsRenderOptions& o) {
   return {{{"--attribute", o.attribute.has_value(), true},
            {"--level", o.level.has_value(), is(DmsMode::kIso)},
            {"--within", o.within.has_value(), is(DmsMode::kIso)},
-           {"--space", o.in_domain.has_value(), is(DmsMode::kIso) || !o.mode},
+           {"--space", o.in_domain.has_value(), !is(DmsMode::kXray)},
            {"--plane", o.plane.has_value(), is(DmsMode::kSlice)},
            {"--transfer", o.transfer.has_value(), is(DmsMode::kVolume)},
            {"--range", o.range.has_value(), is(DmsMode::kSlice) || (!o.mode && o.attribute)},
@@ -156,7 +156,7 @@ void declare_dms_render(OptionSet& set, DmsRenderOptions& o) {
       "iso: cells that the surface crosses are at most as wide");
   set.option(
       "--space", "S", [&o](const std::string& t) { return take_space(t, o.in_domain); },
-      "iso, boundary: solid (default) or domain");
+      "iso, boundary: solid (default) or domain;\nvolume, slice: domain (default) or solid");
   set.option(
       "--plane", "A,B,C,D", [&o](const std::string& t) { return take_plane(t, o.plane); },
       "slice: the plane A x + B y + C z = D");
@@ -186,7 +186,7 @@ std::string dms_render_contradiction(const DmsRenderOptions& options) {
     if (!given.is_given || given.fits) continue;
     if (given.name == std::string("--space"))
       return "--space: pictures of mode " + mode_name(*options.mode) +
-             " are of the domain, in which alone straight rays are straight";
+             " are of the domain, in which alone rays have integrals";
     return std::string(given.name) + (options.mode ? " is not for this mode" : " needs --mode");
   }
   if (options.mode == DmsMode::kIso && !options.level)

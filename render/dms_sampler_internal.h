@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// render/dms_sampler_internal.h: values of one component at many points of the domain, for pictures.
+// render/dms_sampler_internal.h: values of a field at many points, for pictures.
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "render/dms_rays.h"
+#include "render/dms_field.h"
 #include "robust/base/parallel.h"
 #include "solids/dms/fast/fast_dms.h"
 
@@ -16,14 +17,17 @@ namespace veritope::internal {
 /// time.
 class DmsSampler {
  public:
-  /// The model must outlive this. @param sharers  of the memory for tables: the number of samplers
-  DmsSampler(const DmsModel& model, std::size_t component, std::size_t sharers);
-  /// The values as FastDms computes them; NaN outside of the domain. They stay until the next call.
+  /// The field must outlive this. @param sharers  of the memory for tables: the number of samplers
+  DmsSampler(const DmsField& field, std::size_t sharers);
+  /// NaN outside of the domain or the solid. They stay until the next call.
   std::span<const double> values(std::span<const Vec3d> points);
 
  private:
-  std::size_t component_, stride_;
-  FastDms fast_;
+  void evaluate(std::span<const Vec3d> points, std::span<const std::size_t> to);
+  void evaluate_in_solid(std::span<const Vec3d> points);
+
+  const DmsField& field_;
+  std::optional<FastDms> fast_;  // not where the inverse has the component
   std::vector<double> all_, values_;
 };
 
@@ -32,12 +36,11 @@ Vec3d point_of(const DmsRayGrid& grid, double i, double j, double t);
 
 /// Rows in as many parts as there are threads, each with a sampler of its own: draw(sampler, first, last).
 template <typename Draw>
-void draw_rows(const DmsModel& model, std::size_t component, std::size_t rows, unsigned jobs,
-               Draw draw) {
+void draw_rows(const DmsField& field, std::size_t rows, unsigned jobs, Draw draw) {
   const std::size_t parts = std::min<std::size_t>(rows, jobs == 0 ? hardware_jobs() : jobs);
   parallel_for(rows, (rows + parts - 1) / parts, jobs,
                [&](std::size_t, std::size_t first, std::size_t last) {
-                 DmsSampler sampler(model, component, parts);
+                 DmsSampler sampler(field, parts);
                  draw(sampler, first, last);
                });
 }

@@ -16,21 +16,19 @@ using internal::DmsSampler;
 
 constexpr Colour kPaper{255, 255, 255}, kLine{30, 30, 30};
 
-std::vector<double> values_of(const DmsModel& model, std::size_t component, const DmsRayGrid& grid,
-                              unsigned jobs) {
+std::vector<double> values_of(const DmsField& field, const DmsRayGrid& grid, unsigned jobs) {
   std::vector<double> out(grid.columns * grid.rows);
-  internal::draw_rows(model, component, grid.rows, jobs,
-                      [&](DmsSampler& sampler, std::size_t first, std::size_t last) {
-                        std::vector<Vec3d> points(grid.columns);
-                        for (std::size_t j = first; j < last; ++j) {
-                          for (std::size_t i = 0; i < grid.columns; ++i)
-                            points[i] = internal::point_of(grid, static_cast<double>(i),
-                                                           static_cast<double>(j), 0);
-                          const auto values = sampler.values(points);
-                          std::copy(values.begin(), values.end(),
-                                    out.begin() + static_cast<std::ptrdiff_t>(j * grid.columns));
-                        }
-                      });
+  internal::draw_rows(
+      field, grid.rows, jobs, [&](DmsSampler& sampler, std::size_t first, std::size_t last) {
+        std::vector<Vec3d> points(grid.columns);
+        for (std::size_t j = first; j < last; ++j) {
+          for (std::size_t i = 0; i < grid.columns; ++i)
+            points[i] = internal::point_of(grid, static_cast<double>(i), static_cast<double>(j), 0);
+          const auto values = sampler.values(points);
+          std::copy(values.begin(), values.end(),
+                    out.begin() + static_cast<std::ptrdiff_t>(j * grid.columns));
+        }
+      });
   return out;
 }
 
@@ -61,17 +59,20 @@ void draw_isolines(const std::vector<double>& values, const Bands& band, Image& 
 
 }  // namespace
 
-Result<DmsSlicePicture> draw_dms_slice(const DmsModel& model, std::size_t component,
-                                       const DmsSlicePlane& cut, const PictureOptions& look,
-                                       const DmsSliceOptions& options) {
-  const Result<DmsRayGrid> grid = points_of_picture(domain_box(model), cut, look);
+Result<DmsSlicePicture> draw_dms_slice(const DmsField& field, const DmsSlicePlane& cut,
+                                       const PictureOptions& look, const DmsSliceOptions& options) {
+  const Result<DmsRayGrid> grid = points_of_picture(field.box(), cut, look);
   if (!grid) return grid.error();
-  const std::vector<double> values = values_of(model, component, *grid, look.jobs);
+  const std::vector<double> values = values_of(field, *grid, look.jobs);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double low = kInfinity, high = -kInfinity;
   for (const double v : values)
     if (!std::isnan(v)) low = std::min(low, v), high = std::max(high, v);
-  if (low > high) return Error{Code::kEmpty, {}, "the plane shows no point of the domain"};
+  if (low > high)
+    return Error{Code::kEmpty,
+                 {},
+                 field.solid != nullptr ? "the plane shows no point of the solid"
+                                        : "the plane shows no point of the domain"};
   if (options.range) low = (*options.range)[0], high = (*options.range)[1];
   if (!std::isfinite(high - low))
     return Error{Code::kNotFinite, {}, "values of the attribute are beyond binary64"};

@@ -17,7 +17,7 @@ using internal::DmsSampler;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDark = 1e-3;    // light that does not show
-constexpr int kHalvings = 10;     // of a step at the end of the domain
+constexpr int kHalvings = 10;     // of a step at an end of what is seen
 constexpr std::size_t kRows = 8;  // whose rays are sampled together
 
 double length_of(const Point3d& d) { return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]); }
@@ -51,7 +51,7 @@ struct CastRay {
   }
 };
 
-// An end of the domain between two samples of a ray.
+// An end of what is seen between two samples of a ray.
 struct Crossing {
   std::size_t ray = 0;
   double inside = 0, outside = 0;  // places along the ray
@@ -150,11 +150,10 @@ class Caster {
 
 }  // namespace
 
-Result<DmsVolumePicture> draw_dms_volume(const DmsModel& model, std::size_t component,
-                                         const TransferFunction& transfer,
+Result<DmsVolumePicture> draw_dms_volume(const DmsField& field, const TransferFunction& transfer,
                                          const PictureOptions& look, std::optional<double> step) {
   constexpr double kMostSteps = 1 << 16, kStepsOfDiagonal = 200;
-  const Box3d box = domain_box(model);
+  const Box3d box = field.box();
   const Result<DmsRayGrid> rays = rays_of_picture(box, look);
   if (!rays) return rays.error();
   const double depth = length_of(rays->along);
@@ -163,27 +162,26 @@ Result<DmsVolumePicture> draw_dms_volume(const DmsModel& model, std::size_t comp
     return Error{Code::kOverLimit, {}, "rays have at most 65536 steps; a greater step is needed"};
   DmsVolumePicture out{Image(look.width, look.height, Colour{255, 255, 255}), *rays,
                        depth / std::max(steps, 1.0)};
-  internal::draw_rows(model, component, look.height, look.jobs,
-                      [&](DmsSampler& sampler, std::size_t first, std::size_t last) {
-                        Caster caster(transfer, *rays,
-                                      static_cast<std::size_t>(std::max(steps, 1.0)));
-                        for (std::size_t j = first; j < last; j += kRows)
-                          caster.draw(sampler, j, std::min(j + kRows, last), out.image);
-                      });
+  internal::draw_rows(
+      field, look.height, look.jobs, [&](DmsSampler& sampler, std::size_t first, std::size_t last) {
+        Caster caster(transfer, *rays, static_cast<std::size_t>(std::max(steps, 1.0)));
+        for (std::size_t j = first; j < last; j += kRows)
+          caster.draw(sampler, j, std::min(j + kRows, last), out.image);
+      });
   return out;
 }
 
-TransferFunction default_transfer(const DmsModel& model, std::size_t component) {
+TransferFunction default_transfer(const DmsField& field) {
   constexpr double kLeast = 1, kMost = 24;  // for the diagonal
   constexpr int kParts = 4;
   double low = std::numeric_limits<double>::max(), high = -low;
-  for (std::size_t c = 0; c < model.num_control(); ++c) {
+  for (std::size_t c = 0; c < field.spline->num_control(); ++c) {
     const double value =
-        std::clamp(nearest_double(model.value(c)[component]),
+        std::clamp(nearest_double(field.spline->value(c)[field.component]),
                    -std::numeric_limits<double>::max() / 4, std::numeric_limits<double>::max() / 4);
     low = std::min(low, value), high = std::max(high, value);
   }
-  const double diagonal = diagonal_of(domain_box(model));
+  const double diagonal = diagonal_of(field.box());
   std::vector<TransferNode> nodes;
   for (int i = 0; i <= kParts; ++i) {
     const double share = static_cast<double>(i) / kParts;

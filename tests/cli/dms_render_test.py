@@ -10,7 +10,7 @@ from fractions import Fraction as F
 import schema
 from dms_test import DOMAIN, TETRAHEDRON
 from render_test import WHITE, RenderCase, pixels
-from support import ROOT, run
+from support import MODELS, ROOT, run
 
 STOPS = [(68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 201, 98), (253, 231, 37)]
 
@@ -269,6 +269,29 @@ class Common(DmsPicture):
             self.assertIn("bad.vdms: cloud-degenerate: tetrahedron 0, beta (0,0,0,1)", self.render("bad.vdms", "-o", "x.png", *mode, status=1))
         self.write("worse.vdms", {**model, "degree": 3})
         self.render("worse.vdms", "-o", "x.png", *self.MODES[0], status=4)
+        self.assertFalse((self.folder / "x.png").exists())
+
+    def test_volumes_and_slices_in_the_solid_need_a_certified_map(self):
+        model = json.loads((self.folder / "m.vdms").read_text())
+        for control in model["control"]:  # z' = z + x^2 / 4 at the control points
+            control["value"][2] = str(F(control["value"][2]) + F(control["value"][0]) ** 2 / 4)
+        self.write("bent.vdms", model)
+        tops = []
+        for space in "domain", "solid":
+            report, _, _, rows = self.picture("--mode", "slice", "--attribute", "density", "--space", space, "--plane", "0,1,0,1/4",
+                                              "--size", "64,64", model="bent.vdms")
+            self.assertEqual([float(x) for x in report["bounds"][1]], [0.0, 1.0] if space == "domain" else [float(x) for x in report["bounds"][1]])
+            tops.append(float(report["bounds"][2][1]))
+            self.assertGreater(len({p for row in rows for p in row} - {WHITE}), 20)
+        self.assertEqual(tops[0], 1.0)
+        self.assertTrue(1.15 < tops[1] < 1.5, tops)
+        # A pixel's value is that at a preimage: the solid has z from x^2 / 4 or less on.
+        self.picture("--mode", "volume", "--attribute", "density", "--space", "solid", "--size", "64,64", model="bent.vdms")
+        folded = MODELS / "dms" / "folded.vdms"
+        why = self.render(folded, "-o", "x.png", "--mode", "slice", "--attribute", "density", "--space", "solid", status=1)
+        self.assertIn("a map that is proved to be one to one, and this model is INVALID", " ".join(why.split()))
+        why = self.render("m.vdms", "-o", "x.png", "--mode", "xray", "--attribute", "density", "--space", "solid", status=2)
+        self.assertIn("--space: pictures of mode xray are of the domain", " ".join(why.split()))
         self.assertFalse((self.folder / "x.png").exists())
 
     def test_wrong_options_are_named(self):

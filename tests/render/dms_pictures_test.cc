@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/dms_rays.h"
+#include "render/dms_slice_picture.h"
 #include "render/dms_surface_scene.h"
 #include "render/dms_volume_picture.h"
 #include "render/dms_xray_picture.h"
@@ -179,16 +180,77 @@ TEST(DmsPictures, AreTheSameForEveryNumberOfThreads) {
   const DmsModel model = box_model(false);
   PictureOptions look;
   look.width = look.height = 64;
-  const TransferFunction transfer = default_transfer(model, 3);
-  const auto one = draw_dms_volume(model, 3, transfer, look, 0.05);
+  const TransferFunction transfer = default_transfer({&model, 3, nullptr});
+  const auto one = draw_dms_volume({&model, 3, nullptr}, transfer, look, 0.05);
   const auto ray = draw_dms_xray(model, 3, look, std::nullopt);
   look.jobs = 3;
-  const auto three = draw_dms_volume(model, 3, transfer, look, 0.05);
+  const auto three = draw_dms_volume({&model, 3, nullptr}, transfer, look, 0.05);
   ASSERT_TRUE(one.has_value() && three.has_value() && ray.has_value());
   EXPECT_EQ(one->image.pixels, three->image.pixels);
   EXPECT_EQ(ray->image.pixels, draw_dms_xray(model, 3, look, std::nullopt)->image.pixels);
   EXPECT_NEAR(ray->absorption * ray->greatest, 3, 1e-12);
-  EXPECT_EQ(draw_dms_volume(model, 3, transfer, look, 1e-9).error().code, Code::kOverLimit);
+  EXPECT_EQ(draw_dms_volume({&model, 3, nullptr}, transfer, look, 1e-9).error().code,
+            Code::kOverLimit);
+}
+
+// A solid that is an affine image of its domain, and the domain of the same image with the same attribute.
+TEST(DmsPictures, OfSolidsAreThoseOfDomainsThatAreEqualToThem) {
+  DmsModel solid = box_model(false), domain = solid;
+  const auto map = [](Rational* p) {
+    const Rational x = p[0], y = p[1], z = p[2];
+    p[0] = Rational(2) * x + y / Rational(2);
+    p[1] = y - x / Rational(4) + Rational(3);
+    p[2] = z + x / Rational(2) + y / Rational(8);
+  };
+  const std::size_t stride = solid.num_components();
+  for (std::size_t c = 0; c < solid.num_control(); ++c) map(&solid.control.values[c * stride]);
+  for (DmsCloud& cloud : domain.clouds)
+    for (DmsPoint& knot : cloud) map(knot.data());
+  DmsInverseOptions how;
+  how.component = 3;
+  const Result<DmsInverse> inverse = DmsInverse::make(solid, how);
+  const Result<DmsInverse> bare = DmsInverse::make(solid, {});
+  ASSERT_TRUE(inverse.has_value() && bare.has_value());
+  const DmsField in_domain{&domain, 3, nullptr}, in_solid{&solid, 3, &*inverse};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(in_solid.box().lo[k], in_domain.box().lo[k], 1e-6);
+    EXPECT_NEAR(in_solid.box().hi[k], in_domain.box().hi[k], 1e-6);
+  }
+  // An attribute over a domain of its own has no coordinates.
+  DmsModel alone = solid;
+  alone.num_coordinates = 0;
+  alone.control.values.clear();
+  for (std::size_t c = 0; c < solid.num_control(); ++c)
+    alone.control.values.push_back(solid.value(c)[3]);
+  const DmsField of_its_own{&alone, 0, &*bare};
+  PictureOptions look;
+  look.width = 96, look.height = 64;
+  const auto count_unlike = [](const Image& a, const Image& b) {
+    std::size_t out = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+      const auto off = [](int x, int y) { return std::abs(x - y) > 1; };
+      const Colour &p = a.pixels[i], &q = b.pixels[i];
+      out += off(p.red, q.red) || off(p.green, q.green) || off(p.blue, q.blue) ? 1 : 0;
+    }
+    return out;
+  };
+  const TransferFunction transfer = default_transfer(in_domain);
+  const DmsSlicePlane cut = middle_cut(in_domain.box(), {1, 2, 3});
+  const auto volume = draw_dms_volume(in_domain, transfer, look, 0.05);
+  const auto slice = draw_dms_slice(in_domain, cut, look, {std::array<double, 2>{0, 3}, 5});
+  ASSERT_TRUE(volume.has_value()) << volume.error().message;
+  ASSERT_TRUE(slice.has_value()) << slice.error().message;
+  for (const DmsField& field : {in_solid, of_its_own}) {
+    const auto other = draw_dms_volume(field, transfer, look, 0.05);
+    const auto plane = draw_dms_slice(field, cut, look, {std::array<double, 2>{0, 3}, 5});
+    ASSERT_TRUE(other.has_value() && plane.has_value());
+    // Rims and isolines may move by a pixel.
+    EXPECT_LT(count_unlike(volume->image, other->image), 12u);
+    EXPECT_LT(count_unlike(slice->image, plane->image), 12u);
+  }
+  look.jobs = 2;
+  EXPECT_EQ(draw_dms_volume(in_solid, transfer, look, 0.05)->image.pixels,
+            draw_dms_volume({&solid, 3, &*inverse}, transfer, look, 0.05)->image.pixels);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 
 namespace veritope {
 
-/// A component of a spline: in the domain, or in the solid, where the value at s(u) is that at u. What it points to must
-/// outlive it.
+/// A component of a spline: in the domain, or in the solid, where the value at s(u) is that at u. What it points to
+/// must outlive it.
 struct DmsField {
   const DmsModel* spline = nullptr;  ///< the model, or its attribute domain
   std::size_t component = 0;

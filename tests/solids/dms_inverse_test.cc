@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// tests/solids/dms_inverse_test.cc: preimages of exact images are the points they came from; points beside the solid have
-// none.
+// tests/solids/dms_inverse_test.cc: preimages of exact images are the points they came from; points beside the solid
+// have none.
 #include "solids/dms/fast/dms_inverse.h"
 
 #include <gtest/gtest.h>

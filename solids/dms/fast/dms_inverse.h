@@ -23,15 +23,15 @@ struct DmsInverseOptions {
 };
 
 /// The convex cells on which the map is one polynomial (solids/dms/dms_parts.h), in boxes that are halved until the map
-/// differs little from an affine one: in each box the derivative, times the inverse of that in the middle, is within 1/2
-/// of the identity (Frobenius norm). So a simple iteration finds the one preimage in a box if there is one, and then the
-/// planes of the cell decide. Boxes around images find the leaves.
+/// differs little from an affine one: in each box the derivative, times the inverse of that in the middle, is within
+/// 1/2 of the identity (Frobenius norm). So a simple iteration finds the one preimage in a box if there is one, and
+/// then the planes of the cell decide. Boxes around images find the leaves.
 /// Several threads may ask at once; answers depend on the point alone.
 class DmsInverse {
  public:
   /// REQUIRES a model with coordinates and without defects (solids/dms/dms_defects.h). Where the map is not one to one,
-  /// as only `certify` proves, a point has several preimages, and one of them is found. Boxes that 24 halvings along each
-  /// axis leave uneven are left out: there the derivative is nearly singular.
+  /// as only `certify` proves, a point has several preimages, and one of them is found. Boxes that 24 halvings along
+  /// each axis leave uneven are left out: there the derivative is nearly singular.
   /// @error kOverLimit, kNotFinite, with the tetrahedron as the entity
   /// @cost  the polynomial of each convex cell (solids/dms/dms_polynomials.h)
   static Result<DmsInverse> make(const DmsModel& model, const DmsInverseOptions& options);
@@ -44,7 +44,8 @@ class DmsInverse {
   /// @cost a few evaluations of the polynomials of one or two leaves
   std::optional<Place> find(const Point3d& x) const;
 
-  /// The point of the domain, up to rounding errors; or the one that is nearer by a share to a point inside of its cell.
+  /// The point of the domain, up to rounding errors; or the one that is nearer by a share to a point inside of its
+  /// cell.
   Point3d domain_point(const Place& place, double inward = 0) const;
   bool has_component() const { return components_ == 4; }
   /// REQUIRES a component among the options.

@@ -102,7 +102,8 @@ Points points_of(const std::array<DmsPoint, 4>& corners, DmsRestriction& map, in
 Result<std::vector<Points>> cells_of(DmsPolynomials& polynomials, std::uint32_t tetrahedron,
                                      int degree) {
   std::vector<Points> out;
-  const auto add = [&](const DmsCell& cell, DmsRestriction& map) -> Status {
+  const auto add = [&](const DmsCell& cell, const auto& /*components*/,
+                       DmsRestriction& map) -> Status {
     for (const auto& corners : cell.tetrahedra) {
       const Points& points = out.emplace_back(points_of(corners, map, degree));
       for (const std::vector<double>& point : points)

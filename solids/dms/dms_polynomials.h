@@ -20,8 +20,9 @@
 namespace veritope {
 
 struct DmsCellOptions {
-  unsigned jobs = 1;             ///< 0: as many as the machine runs
-  std::size_t max_cells = 4096;  ///< convex cells into which triangles of knots may cut a tetrahedron
+  unsigned jobs = 1;  ///< 0: as many as the machine runs
+  std::size_t max_cells =
+      4096;  ///< convex cells into which triangles of knots may cut a tetrahedron
 };
 
 /// kCode with the tetrahedron as the entity.
@@ -39,8 +40,9 @@ class DmsPolynomials {
                  std::size_t max_cells)
       : model_(model), knots_(knots), pieces_(model, evaluator), max_cells_(max_cells) {}
 
-  /// visit(cell, map) for the convex cells of a tetrahedron; `map` has all components on the cell. A visit returns a
-  /// Status, and an error ends the loop. @error kOverLimit for more than max_cells cells
+  /// visit(cell, components, map) for the convex cells of a tetrahedron: `components` are the exact coefficients on the
+  /// cell's first tetrahedron, of all components, and `map` has them on others. A visit returns a Status, and an error
+  /// ends the loop. @error kOverLimit for more than max_cells cells
   template <typename Visit>
   Status visit_cells(std::uint32_t tetrahedron, Visit visit) {
     const auto cells = polynomial_parts(knots_, tetrahedron, max_cells_);
@@ -49,11 +51,10 @@ class DmsPolynomials {
                                   "triangles of knots cut the tetrahedron into more than " +
                                       std::to_string(max_cells_) + " cells");
     for (const DmsCell& cell : *cells) {
-      const auto components =
-          pieces_.components(cell.tetrahedra[0], model_.num_components());
+      const auto components = pieces_.components(cell.tetrahedra[0], model_.num_components());
       VT_CHECK(components.has_value(), "parts of tetrahedra are in the domain");
       DmsRestriction map(model_.degree, cell.tetrahedra[0], *components);
-      if (Status status = visit(cell, map); !status) return status;
+      if (Status status = visit(cell, *components, map); !status) return status;
     }
     return ok_status();
   }

@@ -276,16 +276,20 @@ class Common(DmsPicture):
         for control in model["control"]:  # z' = z + x^2 / 4 at the control points
             control["value"][2] = str(F(control["value"][2]) + F(control["value"][0]) ** 2 / 4)
         self.write("bent.vdms", model)
-        tops = []
+        bounds = []
         for space in "domain", "solid":
             report, _, _, rows = self.picture("--mode", "slice", "--attribute", "density", "--space", space, "--plane", "0,1,0,1/4",
                                               "--size", "64,64", model="bent.vdms")
-            self.assertEqual([float(x) for x in report["bounds"][1]], [0.0, 1.0] if space == "domain" else [float(x) for x in report["bounds"][1]])
-            tops.append(float(report["bounds"][2][1]))
+            bounds.append([float(F(x)) for x in report["bounds"]])
             self.assertGreater(len({p for row in rows for p in row} - {WHITE}), 20)
-        self.assertEqual(tops[0], 1.0)
-        self.assertTrue(1.15 < tops[1] < 1.5, tops)
-        # A pixel's value is that at a preimage: the solid has z from x^2 / 4 or less on.
+            # Where z is small and x near 1/2, the solid ends at x^2 / 4 at the control points, and the domain at 0.
+            rays = {k: [F(x) for x in v] for k, v in report["dms"]["rays"].items()}
+            at = [[float(rays["origin"][k] + i * rays["right"][k] + j * rays["down"][k]) for k in (0, 2)] for j in range(64) for i in range(64)]
+            low = [rows[n // 64][n % 64] != WHITE for n, (x, z) in enumerate(at) if 0.4 < x < 0.6 and 0.005 < z < 0.025]
+            self.assertGreater(len(low), 3)
+            self.assertEqual(set(low), {space == "domain"})
+        self.assertEqual(bounds[0], [0, 0, 0, 1, 1, 1])
+        self.assertTrue(all(abs(a - b) < 0.3 for a, b in zip(*bounds)), bounds)
         self.picture("--mode", "volume", "--attribute", "density", "--space", "solid", "--size", "64,64", model="bent.vdms")
         folded = MODELS / "dms" / "folded.vdms"
         why = self.render(folded, "-o", "x.png", "--mode", "slice", "--attribute", "density", "--space", "solid", status=1)

@@ -232,12 +232,13 @@ class Dms(Folder):
     def test_convert_writes_bezier_cells(self):
         done = run("convert", MODELS / "dms" / "inner_clouds.vdms", "o.vtu", cwd=self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""), done)
-        self.assertRegex(done.stdout, "^wrote  o.vtu  [0-9]+ Bezier cells of 1 tetrahedron, a picture\n$")
+        self.assertRegex(done.stdout, "^wrote  o.vtu  [0-9]+ Bezier cells of 4 tetrahedra, a picture\n$")
         piece = xml.etree.ElementTree.parse(self.folder / "o.vtu").getroot().find("UnstructuredGrid/Piece")
         arrays = {a.get("Name"): a.text.split() for a in piece.iter("DataArray")}
         cells = int(piece.get("NumberOfCells"))
         self.assertEqual(set(arrays["types"]), {"78"})
-        self.assertEqual(arrays["tetrahedron"], ["0"] * cells)
+        self.assertEqual(sorted(set(arrays["tetrahedron"])), ["0", "1", "2", "3"])
+        self.assertEqual(len(arrays["tetrahedron"]), cells)
         self.assertEqual(arrays["offsets"], [str(10 * (i + 1)) for i in range(cells)])
         self.assertEqual(len(arrays["Points"]), 3 * int(piece.get("NumberOfPoints")))
         self.assertEqual(sorted(set(map(int, arrays["connectivity"]))), list(range(int(piece.get("NumberOfPoints")))))

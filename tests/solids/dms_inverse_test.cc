@@ -123,7 +123,7 @@ TEST(DmsInverse, DoesNotDependOnScaleOrThreads) {
       if (i % 4 != 3) scaled.control.values[i] *= Rational::power_of_two(exponent);
     const auto other = DmsInverse::make(scaled, parallel);
     ASSERT_TRUE(other);
-    EXPECT_EQ(other->num_leaves(), inverse->num_leaves());
+    EXPECT_EQ(other->num_parts(), inverse->num_parts());
     Random random(1);
     int found = 0;
     for (int i = 0; i < 100; ++i) {
@@ -152,7 +152,7 @@ TEST(DmsInverse, FindsPreimagesBesideThinTetrahedra) {
   set_control_by_rule(model, DmsControlRule::kGreville, {});
   const auto inverse = DmsInverse::make(model, {});
   ASSERT_TRUE(inverse);
-  EXPECT_EQ(inverse->num_leaves(), 2u);
+  EXPECT_EQ(inverse->num_parts(), 1u);
   EXPECT_TRUE(inverse->find({0.25, 0.25, 0.25}).has_value());
   EXPECT_TRUE(inverse->find({0.25, 0.25, 0.5}).has_value());
   EXPECT_FALSE(inverse->find({0.25, 0.25, 0.5001}).has_value());
@@ -164,7 +164,7 @@ TEST(DmsInverse, IsRefusedForTooManyParts) {
   options.max_cells = 1;
   EXPECT_EQ(DmsInverse::make(model, options).error().code, Code::kOverLimit);
   options = {};
-  options.max_leaves = 3;
+  options.max_parts = 3;
   const auto few = DmsInverse::make(model, options);
   ASSERT_FALSE(few);
   EXPECT_EQ(few.error().code, Code::kOverLimit);

@@ -20,14 +20,26 @@ using internal::times;
 double size_of(const Point3d& p) {
   return std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
 }
-bool is_in_box(const Point3d& at, const Point3d& reach, double slack) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!(std::abs(at[k]) <= reach[k] + slack)) return false;
-  return true;
-}
-Point3d clamped(Point3d at, const Point3d& reach) {
-  for (std::size_t k = 0; k < 3; ++k) at[k] = std::clamp(at[k], -reach[k], reach[k]);
-  return at;
+// The nearest point of a triangle. Source: Ericson, Real-Time Collision Detection, 5.1.5.
+Point3d nearest_in_triangle(const Point3d& p, const Point3d& a, const Point3d& b,
+                            const Point3d& c) {
+  const auto between = [](const Point3d& from, const Point3d& to, double t) {
+    return Point3d{from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]),
+                   from[2] + t * (to[2] - from[2])};
+  };
+  const Point3d ab = minus(b, a), ac = minus(c, a), ap = minus(p, a), bp = minus(p, b),
+                cp = minus(p, c);
+  const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp),
+               d5 = dot(ab, cp), d6 = dot(ac, cp);
+  if (d1 <= 0 && d2 <= 0) return a;
+  if (d3 >= 0 && d4 <= d3) return b;
+  if (d6 >= 0 && d5 <= d6) return c;
+  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return between(a, b, d1 / (d1 - d3));
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return between(a, c, d2 / (d2 - d6));
+  if (va <= 0 && d4 >= d3 && d5 >= d6) return between(b, c, (d4 - d3) / ((d4 - d3) + (d5 - d6)));
+  const double v = vb / (va + vb + vc), w = vc / (va + vb + vc);
+  return {a[0] + v * ab[0] + w * ac[0], a[1] + v * ab[1] + w * ac[1], a[2] + v * ab[2] + w * ac[2]};
 }
 
 }  // namespace
@@ -64,45 +76,48 @@ DmsInverse::Evaluated DmsInverse::evaluate(const double* net, const Point3d& at)
   return out;
 }
 
-bool DmsInverse::is_in_cell(const Leaf& leaf, const Point3d& at) const {
-  const Cell& cell = cells_[leaf.cell];
-  Point3d u;
-  for (std::size_t k = 0; k < 3; ++k) u[k] = leaf.middle[k] + leaf.radius * at[k];
-  for (std::size_t h = cell.first; h < cell.end; ++h)
-    if (!(dot(half_spaces_[h].normal, u) + half_spaces_[h].height >= -cell.slack)) return false;
-  return true;
-}
-
-// Newton's method first. Where it leaves the box, steps by the derivative of the middle, each clamped to the box: they
-// halve the distance from the preimage in it, if there is one.
+// Newton's method first. Where it leaves the part, steps by the derivative of the middle, each followed by a projection
+// on the part: they halve the distance from the preimage in it, if there is one.
 std::optional<Point3d> DmsInverse::find_in(std::size_t number, const Point3d& x) const {
   constexpr int kNewtonSteps = 8, kSteps = 64;
   const Leaf& leaf = leaves_[number];
   const double slack = kInverseEdge + leaf.noise, done = kInverseDone + leaf.noise;
+  const auto is_within = [&](const Point3d& at, double distance) {
+    for (std::size_t m = 0; m < 4; ++m)
+      if (!(dot(leaf.normals[m], at) + leaf.heights[m] >= -distance)) return false;
+    return true;
+  };
+  const auto projected = [&](const Point3d& at) {
+    if (is_within(at, 0)) return at;
+    Point3d out = leaf.corners[0];
+    for (std::size_t m = 0; m < 4; ++m) {
+      const Point3d on = nearest_in_triangle(at, leaf.corners[(m + 1) % 4],
+                                             leaf.corners[(m + 2) % 4], leaf.corners[(m + 3) % 4]);
+      const Point3d before = minus(at, out), now = minus(at, on);
+      if (dot(now, now) < dot(before, before)) out = on;
+    }
+    return out;
+  };
   const Point3d middle{net(number)[0], net(number)[count_], net(number)[2 * count_]};
   const Point3d start = times(leaf.linear, minus(x, middle));
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!(std::abs(start[k]) <= leaf.reach[k] + leaf.off[k] + slack)) return std::nullopt;
-  const auto if_in_cell = [&](const Point3d& at) {
-    return is_in_cell(leaf, at) ? std::optional(at) : std::nullopt;
-  };
-  Point3d at = clamped(start, leaf.reach);
+  if (!is_within(start, leaf.off + slack)) return std::nullopt;
+  Point3d at = projected(start);
   for (int step = 0; step < kNewtonSteps; ++step) {
     const Evaluated here = evaluate(net(number), at);
     const Point3d rest = minus(x, here.value);
     if (size_of(times(leaf.linear, rest)) <= done) {
-      if (is_in_box(at, leaf.reach, slack)) return if_in_cell(at);
+      if (is_within(at, slack)) return at;
       break;
     }
     const Point3d more = internal::solved(here.along, rest);
     for (std::size_t k = 0; k < 3; ++k) at[k] += more[k];
-    if (!is_in_box(at, leaf.reach, 1)) break;
+    if (!is_within(at, 1)) break;
   }
-  at = clamped(start, leaf.reach);
+  at = projected(start);
   for (int step = 0; step < kSteps; ++step) {
     const Point3d rest = times(leaf.linear, minus(x, evaluate(net(number), at).value));
-    if (size_of(rest) <= slack) return if_in_cell(at);
-    const Point3d next = clamped({at[0] + rest[0], at[1] + rest[1], at[2] + rest[2]}, leaf.reach);
+    if (size_of(rest) <= slack) return at;
+    const Point3d next = projected({at[0] + rest[0], at[1] + rest[1], at[2] + rest[2]});
     if (size_of(minus(next, at)) <= done) break;
     at = next;
   }
@@ -125,12 +140,8 @@ std::optional<DmsInverse::Place> DmsInverse::find(const Point3d& p) const {
 
 Point3d DmsInverse::domain_point(const Place& place, double inward) const {
   const Leaf& leaf = leaves_[place.leaf];
-  const Cell& cell = cells_[leaf.cell];
-  Point3d out = cell.origin;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double beside = leaf.middle[k] + leaf.radius * place.at[k];
-    out[k] += beside + inward * (cell.inside[k] - beside);
-  }
+  Point3d out = leaf.middle;
+  for (std::size_t k = 0; k < 3; ++k) out[k] += (1 - inward) * leaf.radius * place.at[k];
   return out;
 }
 

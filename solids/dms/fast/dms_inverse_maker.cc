@@ -14,9 +14,14 @@ namespace {
 using internal::dot;
 using internal::kInverseEdge;
 
-// A box of a cell's part: its middle, as an offset from the cell's origin, and half its sides.
+using Corners = std::array<DmsPoint, 4>;
+
+constexpr int kMostHalvings = 72;
+constexpr double kLeastHeight = 0x1p-40;
+
 struct Part {
-  Point3d middle, half;
+  Corners corners;
+  int halvings = 0;
 };
 
 double multinomial(int degree, const std::array<int, 3>& exponents) {
@@ -27,13 +32,31 @@ double multinomial(int degree, const std::array<int, 3>& exponents) {
   return out;
 }
 
+// The middle of the longest edge in the place of either of its ends.
+std::pair<Part, Part> halves(const Part& part) {
+  std::size_t i = 0, j = 1;
+  double most = -1;
+  for (std::size_t a = 0; a < 4; ++a)
+    for (std::size_t b = a + 1; b < 4; ++b) {
+      const DmsPoint d = difference(part.corners[a], part.corners[b]);
+      const double length = nearest_double(dot_product(d, d));
+      if (length > most) most = length, i = a, j = b;
+    }
+  DmsPoint middle;
+  for (std::size_t c = 0; c < 3; ++c)
+    middle[c] = (part.corners[i][c] + part.corners[j][c]) * Rational::power_of_two(-1);
+  Part first{part.corners, part.halvings + 1}, second = first;
+  first.corners[j] = middle, second.corners[i] = middle;
+  return {std::move(first), std::move(second)};
+}
+
 Point3d rounded(const DmsPoint& p) {
   return {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
 }
 
 }  // namespace
 
-// Halves the boxes of cells until the map is even on them.
+// Halves the parts until the map is even on them.
 class DmsInverseMaker {
  public:
   DmsInverseMaker(const DmsModel& model, const DmsInverseOptions& options)
@@ -48,146 +71,140 @@ class DmsInverseMaker {
   }
 
   Result<DmsInverse> run() {
-    const Status status = for_each_tetrahedron<std::vector<Made>>(
+    const Status status = for_each_tetrahedron<Made>(
         model_, {options_.jobs, options_.max_cells},
         [this](DmsPolynomials& polynomials, std::uint32_t tetrahedron) {
           return make(polynomials, tetrahedron);
         },
-        [this](std::uint32_t tetrahedron, const std::vector<Made>& cells) {
-          return take(tetrahedron, cells);
-        });
+        [this](std::uint32_t tetrahedron, const Made& made) { return take(tetrahedron, made); });
     if (!status) return status.error();
     out_.boxes_ = BoxHierarchy(boxes_);
     return std::move(out_);
   }
 
  private:
-  // A cell with its leaves, whose number is not yet known.
   struct Made {
-    DmsInverse::Cell cell;
-    std::vector<DmsInverse::HalfSpace> half_spaces;
     std::vector<DmsInverse::Leaf> leaves;
     std::vector<double> nets;
     std::vector<Box3d> boxes;
   };
 
-  Status take(std::uint32_t tetrahedron, const std::vector<Made>& cells) {
-    for (const Made& made : cells) {
-      if (out_.leaves_.size() + made.leaves.size() > options_.max_leaves)
-        return too_many(tetrahedron);
-      DmsInverse::Cell cell = made.cell;
-      cell.first = out_.half_spaces_.size();
-      const auto append = [](auto& to, const auto& from) {
-        to.insert(to.end(), from.begin(), from.end());
-      };
-      append(out_.half_spaces_, made.half_spaces);
-      cell.end = out_.half_spaces_.size();
-      for (DmsInverse::Leaf leaf : made.leaves) {
-        leaf.cell = static_cast<std::uint32_t>(out_.cells_.size());
-        out_.leaves_.push_back(leaf);
-      }
-      out_.cells_.push_back(cell);
-      append(out_.nets_, made.nets);
-      for (Box3d box : made.boxes) {
-        boxes_.push_back(box);
-        for (std::size_t c = 0; c < 3; ++c) box.lo[c] /= out_.scale_, box.hi[c] /= out_.scale_;
-        out_.box_ = hull(out_.box_, box);
-      }
+  Status take(std::uint32_t tetrahedron, const Made& made) {
+    if (out_.leaves_.size() + made.leaves.size() > options_.max_parts) return too_many(tetrahedron);
+    const auto append = [](auto& to, const auto& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    append(out_.leaves_, made.leaves);
+    append(out_.nets_, made.nets);
+    append(boxes_, made.boxes);
+    for (Box3d box : made.boxes) {
+      for (std::size_t c = 0; c < 3; ++c) box.lo[c] /= out_.scale_, box.hi[c] /= out_.scale_;
+      out_.box_ = hull(out_.box_, box);
     }
     return ok_status();
   }
   Error too_many(std::uint32_t tetrahedron) const {
     return error_in_tetrahedron(
         Code::kOverLimit, tetrahedron,
-        "the solid is too uneven for " + std::to_string(options_.max_leaves) + " parts");
+        "the solid is too uneven for " + std::to_string(options_.max_parts) + " parts");
   }
 
-  Result<std::vector<Made>> make(DmsPolynomials& polynomials, std::uint32_t tetrahedron) const {
-    std::vector<Made> out;
-    const Status status =
-        polynomials.visit_cells(tetrahedron, [&](const DmsCell& cell, DmsRestriction& map) {
-          return add_leaves(tetrahedron, cell, map, out.emplace_back());
+  Result<Made> make(DmsPolynomials& polynomials, std::uint32_t tetrahedron) const {
+    Made out;
+    const Status status = polynomials.visit_cells(
+        tetrahedron, [&](const DmsCell& cell, const auto& components, DmsRestriction& map) {
+          DmsRestriction slope = slope_of(cell.tetrahedra[0], components);
+          for (const Corners& corners : cell.tetrahedra)
+            if (Status added = add(tetrahedron, corners, map, slope, out); !added) return added;
+          return ok_status();
         });
     if (!status) return status.error();
     return out;
   }
 
-  Status add_leaves(std::uint32_t tetrahedron, const DmsCell& cell, DmsRestriction& map,
-                    Made& made) const {
-    const Part whole = start(cell, made);
-    const double size = std::max({whole.half[0], whole.half[1], whole.half[2]});
-    std::vector<Part> todo{whole};
+  // The nine components of the derivative, row by row.
+  DmsRestriction slope_of(const Corners& corners,
+                          const std::vector<std::vector<Rational>>& components) const {
+    std::vector<std::vector<Rational>> out(9);
+    const Rational degree(model_.degree);
+    for_each_tetrahedral_index(model_.degree - 1, [&](const TetrahedralIndex& gamma) {
+      Corners four;
+      for (std::size_t m = 0; m < 4; ++m)
+        for (std::size_t c = 0; c < 3; ++c)
+          four[m][c] = components[c][tetrahedral_index(raised(gamma, m))] * degree;
+      DmsMatrix linear = linear_part(corners, four);
+      for (std::size_t i = 0; i < 9; ++i) out[i].push_back(std::move(linear[i]));
+    });
+    return {model_.degree - 1, corners, out};
+  }
+
+  Status add(std::uint32_t tetrahedron, const Corners& corners, DmsRestriction& map,
+             DmsRestriction& slope, Made& made) const {
+    std::vector<Part> todo{{corners, 0}};
     while (!todo.empty()) {
-      const Part part = todo.back();
+      const Part part = std::move(todo.back());
       todo.pop_back();
-      if (is_beside(part, made)) continue;
-      const Result<bool> added = add_leaf(tetrahedron, part, map, made);
+      DmsInverse::Leaf leaf;
+      if (!place(part, leaf)) continue;
+      const Result<bool> added = add_leaf(tetrahedron, part, map, slope, leaf, made);
       if (!added) return added.error();
-      if (made.leaves.size() > options_.max_leaves) return too_many(tetrahedron);
-      const std::size_t axis = static_cast<std::size_t>(
-          std::max_element(part.half.begin(), part.half.end()) - part.half.begin());
-      if (*added || part.half[axis] < size * 0x1p-24) continue;
-      for (const double side : {1.0, -1.0}) {
-        Part half = part;
-        half.half[axis] *= 0.5;
-        half.middle[axis] += side * half.half[axis];
-        todo.push_back(half);
-      }
+      if (made.leaves.size() > options_.max_parts) return too_many(tetrahedron);
+      if (*added || part.halvings == kMostHalvings) continue;
+      auto [first, second] = halves(part);
+      todo.push_back(std::move(second));
+      todo.push_back(std::move(first));
     }
     return ok_status();
   }
 
-  // The half-spaces of the cell, and the box around it.
-  static Part start(const DmsCell& cell, Made& made) {
-    const Box3d box = box_around(cell.corners);
-    DmsPoint origin;
-    for (std::size_t k = 0; k < 3; ++k) {
-      made.cell.origin[k] = 0.5 * box.lo[k] + 0.5 * box.hi[k];
-      origin[k] = Rational::from_double(made.cell.origin[k]);
+  // The coordinates of a part, and its planes, whose normals come from exact ones. False if it is too thin.
+  static bool place(const Part& part, DmsInverse::Leaf& leaf) {
+    DmsPoint middle;
+    for (std::size_t c = 0; c < 3; ++c) {
+      Rational sum;
+      for (const DmsPoint& corner : part.corners) sum += corner[c];
+      leaf.middle[c] = nearest_double(sum * Rational::power_of_two(-2));
+      middle[c] = Rational::from_double(leaf.middle[c]);
     }
-    Part whole{};
-    for (const DmsPoint& corner : cell.corners) {
-      const Point3d d = rounded(difference(corner, origin));
-      for (std::size_t k = 0; k < 3; ++k)
-        whole.half[k] = std::max(whole.half[k], std::abs(d[k]) * (1 + 0x1p-50));
-      for (std::size_t k = 0; k < 3; ++k)
-        made.cell.inside[k] += d[k] / static_cast<double>(cell.corners.size());
+    double size = 0;
+    for (std::size_t m = 0; m < 4; ++m) {
+      leaf.corners[m] = rounded(difference(part.corners[m], middle));
+      for (const double x : leaf.corners[m]) size = std::max(size, std::abs(x));
     }
-    for (const DmsPlane& plane : cell.planes) {
+    int exponent = 0;
+    std::frexp(size, &exponent);
+    leaf.radius = std::ldexp(1.0, exponent);
+    for (Point3d& corner : leaf.corners)
+      for (double& x : corner) x /= leaf.radius;
+    const std::vector<DmsPlane> planes = face_planes(part.corners);
+    for (std::size_t m = 0; m < 4; ++m) {
       // Lengths of exact vectors may be beyond binary64; a power of two brings them near 1.
       std::int64_t bits = INT64_MIN;
-      for (const Rational& x : plane.vector)
+      for (const Rational& x : planes[m].vector)
         if (x.sign() != Sign::kZero)
           bits = std::max(bits, static_cast<std::int64_t>(x.numerator().bit_length()) -
                                     static_cast<std::int64_t>(x.denominator().bit_length()));
       const Rational by = Rational::power_of_two(-bits);
-      DmsPoint scaled = plane.vector;
+      DmsPoint scaled = planes[m].vector;
       for (Rational& x : scaled) x *= by;
       const Point3d n = rounded(scaled);
-      const double length = std::sqrt(dot(n, n));
-      made.half_spaces.push_back(
-          {{n[0] / length, n[1] / length, n[2] / length},
-           nearest_double(dot_product(scaled, origin) - plane.number * by) / length});
+      const Rational number = planes[m].number * by;
+      const double length = std::copysign(
+          std::sqrt(dot(n, n)), nearest_double(dot_product(scaled, part.corners[m]) - number));
+      leaf.normals[m] = {n[0] / length, n[1] / length, n[2] / length};
+      leaf.heights[m] = nearest_double(dot_product(scaled, middle) - number) / length / leaf.radius;
+      const double height = dot(leaf.normals[m], leaf.corners[m]) + leaf.heights[m];
+      if (!(height >= kLeastHeight)) return false;
     }
-    made.cell.slack = kInverseEdge * std::max({whole.half[0], whole.half[1], whole.half[2]});
-    return whole;
-  }
-  static bool is_beside(const Part& part, const Made& made) {
-    return std::any_of(made.half_spaces.begin(), made.half_spaces.end(), [&](const auto& h) {
-      double most = h.height + dot(h.normal, part.middle);
-      for (std::size_t k = 0; k < 3; ++k) most += std::abs(h.normal[k]) * part.half[k];
-      return most < -made.cell.slack;
-    });
+    return true;
   }
 
-  // The components on a box, as sums of monomials: those of the tetrahedron with the middle and points at a radius from
-  // it along the axes as corners. Each is a difference of its Bernstein coefficients.
-  std::vector<double> monomials_on(const DmsInverse::Leaf& leaf, const Point3d& origin,
-                                   DmsRestriction& map) const {
+  // The components in a part's coordinates, as sums of monomials: those of the tetrahedron with the middle and points
+  // at a radius from it along the axes as corners. Each is a difference of its Bernstein coefficients.
+  std::vector<double> monomials_on(const DmsInverse::Leaf& leaf, DmsRestriction& map) const {
     DmsPoint middle;
-    for (std::size_t k = 0; k < 3; ++k)
-      middle[k] = Rational::from_double(origin[k]) + Rational::from_double(leaf.middle[k]);
-    std::array<DmsPoint, 4> corners{middle, middle, middle, middle};
+    for (std::size_t k = 0; k < 3; ++k) middle[k] = Rational::from_double(leaf.middle[k]);
+    Corners corners{middle, middle, middle, middle};
     for (std::size_t k = 0; k < 3; ++k) corners[k + 1][k] += Rational::from_double(leaf.radius);
     const auto components = map.on(corners);
     std::vector<double> out;
@@ -223,14 +240,8 @@ class DmsInverseMaker {
 
   // False if the map is not even enough there.
   Result<bool> add_leaf(std::uint32_t tetrahedron, const Part& part, DmsRestriction& map,
-                        Made& made) const {
-    DmsInverse::Leaf leaf;
-    leaf.middle = part.middle;
-    int exponent = 0;
-    std::frexp(std::max({part.half[0], part.half[1], part.half[2]}), &exponent);
-    leaf.radius = std::ldexp(1.0, exponent);
-    for (std::size_t k = 0; k < 3; ++k) leaf.reach[k] = part.half[k] / leaf.radius;
-    const std::vector<double> net = monomials_on(leaf, made.cell.origin, map);
+                        DmsRestriction& slope, DmsInverse::Leaf& leaf, Made& made) const {
+    const std::vector<double> net = monomials_on(leaf, map);
     if (!std::all_of(net.begin(), net.end(), [](double x) { return std::isfinite(x); }))
       return error_in_tetrahedron(Code::kNotFinite, tetrahedron,
                                   "a number of the map is too large for binary64");
@@ -241,11 +252,18 @@ class DmsInverseMaker {
       const Point3d column = internal::solved(here.along, unit);
       for (std::size_t m = 0; m < 3; ++m) leaf.linear[m][c] = column[m];
     }
-    Box3d box;
-    if (!is_even(net, leaf, box)) return false;
+    if (!is_even(slope.on(part.corners), leaf)) return false;
+    Box3d box = empty_box();
+    const auto components = map.on(part.corners);
     double greatest = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-      greatest = std::max({greatest, std::abs(box.lo[c]), std::abs(box.hi[c])});
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (const double x : components[c]) {
+        box.lo[c] = std::min(box.lo[c], x * out_.scale_);
+        box.hi[c] = std::max(box.hi[c], x * out_.scale_);
+      }
+      for (std::size_t i = 0; i < out_.count_; ++i)
+        greatest = std::max(greatest, std::abs(net[c * out_.count_ + i]));
+    }
     for (const Point3d& row : leaf.linear)
       leaf.noise =
           std::max(leaf.noise,
@@ -258,32 +276,26 @@ class DmsInverseMaker {
     return true;
   }
 
-  // Sums up the sizes that monomials of degree 2 and more have in the box: in the derivative times the inverse of that
-  // in the middle; in the place that this inverse gives (leaf.off); and in the image (box).
-  bool is_even(const std::vector<double>& net, DmsInverse::Leaf& leaf, Box3d& box) const {
-    std::array<Point3d, 3> off{};  // [row][axis]
-    Point3d reach{};
-    leaf.off = {0, 0, 0};
-    const std::size_t n = out_.count_;
-    for (std::size_t i = 1; i < n; ++i) {
-      const std::array<int, 3>& e = out_.exponents_[i];
-      const Point3d b{net[i], net[n + i], net[2 * n + i]};
-      double size = 1;
-      for (std::size_t k = 0; k < 3; ++k) size *= std::pow(leaf.reach[k], e[k]);
-      for (std::size_t c = 0; c < 3; ++c) reach[c] += std::abs(b[c]) * size;
-      if (e[0] + e[1] + e[2] < 2) continue;
-      const Point3d moved = internal::times(leaf.linear, b);
-      for (std::size_t m = 0; m < 3; ++m) {
-        leaf.off[m] += std::abs(moved[m]) * size;
-        for (std::size_t k = 0; k < 3; ++k)
-          if (e[k] > 0) off[m][k] += std::abs(moved[m]) * e[k] * size / leaf.reach[k];
-      }
+  // The coefficients of the derivative, times the inverse of that in the middle, are near the identity; leaf.off
+  // becomes what follows for places.
+  bool is_even(const std::vector<std::vector<double>>& slope, DmsInverse::Leaf& leaf) const {
+    const double by = out_.scale_ * leaf.radius;
+    double most = 0;
+    for (std::size_t i = 0; i < slope[0].size(); ++i) {
+      double squares = 0;
+      for (std::size_t m = 0; m < 3; ++m)
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Point3d column{slope[k][i] * by, slope[3 + k][i] * by, slope[6 + k][i] * by};
+          const double off = dot(leaf.linear[m], column) - (m == k ? 1.0 : 0.0);
+          squares += off * off;
+        }
+      if (!(squares <= 0.25)) return false;
+      most = std::max(most, squares);
     }
-    for (std::size_t c = 0; c < 3; ++c)
-      box.lo[c] = net[c * n] - reach[c], box.hi[c] = net[c * n] + reach[c];
-    double squares = 0;
-    for (const Point3d& row : off) squares += dot(row, row);
-    return squares <= 0.25;
+    double reach = 0;
+    for (const Point3d& corner : leaf.corners) reach = std::max(reach, dot(corner, corner));
+    leaf.off = std::sqrt(most * reach);
+    return true;
   }
 
   const DmsModel& model_;

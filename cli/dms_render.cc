@@ -89,6 +89,7 @@ Result<DmsDrawing> draw_dms(const DmsModel& model, const DmsRenderOptions& optio
                                                               : slice_of(field, options, look);
   if (!out) return out;
   out->view.box = field.solid != nullptr ? field.box() : domain_box(model);
+  out->facts.in_solid = field.solid != nullptr;
   out->facts.attribute = *options.attribute;
   return out;
 }

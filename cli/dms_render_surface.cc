@@ -63,8 +63,9 @@ Result<DmsDrawing> boundary_of(const DmsModel& model, const DmsRenderOptions& op
                                ViewKind kind, const PictureOptions& look) {
   DmsDrawing out;
   out.facts.mode = "boundary";
+  out.facts.in_solid = !options.in_domain.value_or(false);
   DmsSurfaceOptions how;
-  how.in_solid = !options.in_domain.value_or(false);
+  how.in_solid = out.facts.in_solid;
   how.range = options.range;
   if (options.attribute) {
     const Result<std::size_t> component = geometry_component(model, *options.attribute);
@@ -118,6 +119,7 @@ Result<DmsDrawing> level_of(const DmsModel& model, const DmsRenderOptions& optio
   const bool in_solid = !options.in_domain.value_or(false);
   DmsDrawing out;
   out.facts.mode = "iso";
+  out.facts.in_solid = !options.in_domain.value_or(false);
   out.facts.certified = iso->certified;
   if (!iso->certified)
     out.doubt = "the topology of the surface is not certified: " +

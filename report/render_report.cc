@@ -52,6 +52,7 @@ Json dms_json(const DmsPicture& dms) {
   Json out;
   out["mode"] = dms.mode;
   out["attribute"] = text_json(dms.attribute);
+  out["space"] = dms.in_solid ? "solid" : "domain";
   out["rays"] = dms.rays ? rays_json(*dms.rays) : Json(nullptr);
   out["range"] = dms.range ? Json::array({(*dms.range)[0], (*dms.range)[1]}) : Json(nullptr);
   out["absorption"] = optional_json(dms.absorption);

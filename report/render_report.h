@@ -47,6 +47,7 @@ struct DmsRays {
 struct DmsPicture {
   std::string mode;
   std::string attribute;                       ///< empty: none
+  bool in_solid = false;                       ///< where the picture is; else in the domain
   std::optional<DmsRays> rays;                 ///< of X-rays, volumes and slices
   std::optional<std::array<double, 2>> range;  ///< of the colours
   std::optional<double> absorption, error;     ///< of X-rays

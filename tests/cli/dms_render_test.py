@@ -280,6 +280,7 @@ class Common(DmsPicture):
         for space in "domain", "solid":
             report, _, _, rows = self.picture("--mode", "slice", "--attribute", "density", "--space", space, "--plane", "0,1,0,1/4",
                                               "--size", "64,64", model="bent.vdms")
+            self.assertEqual(report["dms"]["space"], space)
             bounds.append([float(F(x)) for x in report["bounds"]])
             self.assertGreater(len({p for row in rows for p in row} - {WHITE}), 20)
             # Where z is small and x near 1/2, the solid ends at x^2 / 4 at the control points, and the domain at 0.

@@ -16,10 +16,10 @@
 namespace veritope {
 
 struct DmsInverseOptions {
-  std::optional<std::size_t> component;  ///< whose values are wanted, too
-  unsigned jobs = 1;                     ///< 0: as many as the machine runs
-  std::size_t max_cells = 4096;          ///< of a tetrahedron: polynomial_parts
-  std::size_t max_parts = std::size_t{1} << 21;
+  std::optional<std::size_t> component;          ///< whose values are wanted, too
+  unsigned jobs = 1;                             ///< 0: as many as the machine runs
+  std::size_t max_cells = 4096;                  ///< of a tetrahedron: polynomial_parts
+  std::size_t max_parts = std::size_t{1} << 21;  ///< or fewer, so that they fit into a gigabyte
 };
 
 /// The tetrahedra on which the map is one polynomial (solids/dms/dms_parts.h), halved until the map differs little from

@@ -17,6 +17,7 @@ using internal::kInverseEdge;
 using Corners = std::array<DmsPoint, 4>;
 
 constexpr int kMostHalvings = 72;
+constexpr std::size_t kMostNumbers = std::size_t{1} << 27;  // of all parts: a gigabyte
 constexpr double kLeastHeight = 0x1p-40;
 
 struct Part {
@@ -103,10 +104,12 @@ class DmsInverseMaker {
     }
     return ok_status();
   }
-  Error too_many(std::uint32_t tetrahedron) const {
-    return error_in_tetrahedron(
-        Code::kOverLimit, tetrahedron,
-        "the solid is too uneven for " + std::to_string(options_.max_parts) + " parts");
+  bool is_over(std::size_t num_parts) const {
+    return num_parts > options_.max_parts || num_parts > kMostNumbers / out_.stride_;
+  }
+  static Error too_many(std::uint32_t tetrahedron) {
+    return error_in_tetrahedron(Code::kOverLimit, tetrahedron,
+                                "the map is too uneven, or has too many pieces, to be inverted");
   }
 
   Result<Made> make(DmsPolynomials& polynomials, std::uint32_t tetrahedron) const {
@@ -148,7 +151,7 @@ class DmsInverseMaker {
       if (!place(part, leaf)) continue;
       const Result<bool> added = add_leaf(tetrahedron, part, map, slope, leaf, made);
       if (!added) return added.error();
-      if (made.leaves.size() > options_.max_parts) return too_many(tetrahedron);
+      if (is_over(made.leaves.size())) return too_many(tetrahedron);
       if (*added || part.halvings == kMostHalvings) continue;
       auto [first, second] = halves(part);
       todo.push_back(std::move(second));

@@ -11,16 +11,17 @@
 
 namespace veritope {
 
-/// Blossoms in integers: no greatest common divisor is taken, so a tetrahedron costs a tenth of what
-/// TetrahedralPolynomial::on takes.
+/// Its blossoms, in integers: denominators are cleared first, and no greatest common divisor is taken on the way.
+/// Keeps the barycentric coordinates of corners; so one thread at a time.
 class DmsRestriction {
  public:
   /// components[c] has the Bernstein coefficients of component c on the tetrahedron, in the order of tetrahedral_index.
-  /// REQUIRES corners that are not in one plane.
+  /// REQUIRES corners that are not in one plane, 0 <= degree <= kMaxDmsDegree.
   DmsRestriction(int degree, const std::array<DmsPoint, 4>& corners,
                  std::span<const std::vector<Rational>> components);
 
   /// The same coefficients on another tetrahedron, each the nearest binary64 number.
+  /// @cost for each coefficient and component a few products of integers for each lower degree
   std::vector<std::vector<double>> on(const std::array<DmsPoint, 4>& corners);
 
  private:

@@ -84,6 +84,23 @@ TEST(Rational, RoundsBetweenDoublesDownUpAndToTheNearest) {
   }
 }
 
+TEST(Rational, RoundsQuotientsThatAreNotInLowestTerms) {
+  Random random(5);
+  for (int i = 0; i < 20000; ++i) {
+    const double a = std::bit_cast<double>(random.next()), b = std::bit_cast<double>(random.next());
+    if (!is_finite(a) || !is_finite(b) || b == 0) continue;
+    const Rational q = Rational::from_double(a) / Rational::from_double(b);
+    const Integer factor(random.between(1, 1'000'000'000));
+    ASSERT_EQ(nearest_quotient(q.numerator() * factor, q.denominator() * factor),
+              nearest_double(q))
+        << i;
+  }
+  EXPECT_EQ(nearest_quotient(Integer(0), Integer(6)), 0);
+  EXPECT_FALSE(std::signbit(nearest_quotient(Integer(0), Integer(6))));
+  EXPECT_THROW(nearest_quotient(Integer(1), Integer(0)), InternalError);
+  EXPECT_THROW(nearest_quotient(Integer(1), Integer(-2)), InternalError);
+}
+
 TEST(Rational, RoundsAtTheEndsOfTheRange) {
   const Rational tiny = Rational::power_of_two(-1075),
                  huge = Rational::from_double(0x1.fffffffffffffp1023);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "solids/dms/dms_evaluator.h"
+#include "solids/dms/fast/dms_inverse_internal.h"
 #include "tests/support/dms_truth.h"
 
 namespace veritope {
@@ -44,6 +45,20 @@ DmsPoint drawn_point(Random& random) {
 }
 Point3d rounded(const DmsPoint& p) {
   return {nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
+}
+
+TEST(InverseMonomials, AreThoseOfThePolynomial) {
+  // x y^2 + 3 z - 2 of degree 3: the Bernstein coefficients are its blossom.
+  std::vector<double> coefficients;
+  for_each_tetrahedral_index(3, [&](const TetrahedralIndex& i) {
+    const double xyy = i[1] == 1 && i[2] == 2 ? 1.0 / 3 : 0;
+    coefficients.push_back(xyy + 3 * (i[3] / 3.0) - 2);
+  });
+  const std::vector<double> monomials = internal::monomials_of(3, coefficients);
+  for_each_tetrahedral_index(3, [&](const TetrahedralIndex& i) {
+    const bool is_xyy = i[1] == 1 && i[2] == 2, is_z = i[3] == 1 && i[0] == 2, is_one = i[0] == 3;
+    EXPECT_NEAR(monomials[tetrahedral_index(i)], is_xyy ? 1 : is_z ? 3 : is_one ? -2 : 0, 1e-14);
+  });
 }
 
 TEST(DmsInverse, FindsThePointsThatImagesCameFrom) {

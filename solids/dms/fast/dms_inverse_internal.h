@@ -2,6 +2,7 @@
 // solids/dms/fast/dms_inverse_internal.h: what finding preimages and preparing for it share.
 #pragma once
 #include <array>
+#include <vector>
 
 #include "robust/base/box3d.h"
 
@@ -30,5 +31,9 @@ inline Point3d solved(const std::array<Point3d, 3>& columns, const Point3d& b) {
           dot(columns[0], cross(b, columns[2])) / volume,
           dot(columns[0], cross(columns[1], b)) / volume};
 }
+
+/// The factors of x^index[1] y^index[2] z^index[3], in the order of tetrahedral_index, of the polynomial that has these
+/// Bernstein coefficients on the tetrahedron of the origin and the three unit points of the axes.
+std::vector<double> monomials_of(int degree, const std::vector<double>& coefficients);
 
 }  // namespace veritope::internal

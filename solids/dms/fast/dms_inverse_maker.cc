@@ -25,14 +25,6 @@ struct Part {
   int halvings = 0;
 };
 
-double multinomial(int degree, const std::array<int, 3>& exponents) {
-  double out = 1;
-  int left = degree;
-  for (const int e : exponents)
-    for (int k = 1; k <= e; ++k) out *= static_cast<double>(left--) / k;
-  return out;
-}
-
 // The middle of the longest edge in the place of either of its ends.
 std::pair<Part, Part> halves(const Part& part) {
   std::size_t i = 0, j = 1;
@@ -202,8 +194,8 @@ class DmsInverseMaker {
     return true;
   }
 
-  // The components in a part's coordinates, as sums of monomials: those of the tetrahedron with the middle and points
-  // at a radius from it along the axes as corners. Each is a difference of its Bernstein coefficients.
+  // The components in a part's coordinates, as sums of monomials: from the tetrahedron with the middle and points at a
+  // radius from it along the axes as corners.
   std::vector<double> monomials_on(const DmsInverse::Leaf& leaf, DmsRestriction& map) const {
     DmsPoint middle;
     for (std::size_t k = 0; k < 3; ++k) middle[k] = Rational::from_double(leaf.middle[k]);
@@ -212,32 +204,11 @@ class DmsInverseMaker {
     const auto components = map.on(corners);
     std::vector<double> out;
     const auto add = [&](const std::vector<double>& coefficients, double scale) {
-      std::vector<double> b = coefficients;
-      for_each_tetrahedral_index(model_.degree, [&](const TetrahedralIndex& index) {
-        out.push_back(multinomial(model_.degree, {index[1], index[2], index[3]}) * scale *
-                      difference_of(b, index));
-      });
+      for (const double x : internal::monomials_of(model_.degree, coefficients))
+        out.push_back(x * scale);
     };
     for (std::size_t c = 0; c < 3; ++c) add(components[c], out_.scale_);
     if (options_.component) add(components[*options_.component], 1);
-    return out;
-  }
-  // The difference of order index[k] along the edges from corner 0 to corner k.
-  double difference_of(const std::vector<double>& b, const TetrahedralIndex& index) const {
-    double sum = 0;
-    const int rest = model_.degree - index[1] - index[2] - index[3];
-    for (int i = 0; i <= index[1]; ++i)
-      for (int j = 0; j <= index[2]; ++j)
-        for (int k = 0; k <= index[3]; ++k) {
-          const int lower = index[1] - i + index[2] - j + index[3] - k;
-          const double ways = binomial(index[1], i) * binomial(index[2], j) * binomial(index[3], k);
-          sum += (lower % 2 == 0 ? ways : -ways) * b[tetrahedral_index({rest + lower, i, j, k})];
-        }
-    return sum;
-  }
-  static double binomial(int n, int k) {
-    double out = 1;
-    for (int i = 1; i <= k; ++i) out = out * (n - k + i) / i;
     return out;
   }
 

@@ -55,12 +55,9 @@ ExitCode write_dms_picture(const DmsModel& model, const ConvertOptions& options,
              ". --lossy writes it all the same; --to vdms keeps everything");
     return kExitInvalid;
   }
-  const Result<DmsCells> cells = dms_cells(model, {static_cast<unsigned>(options.input.reading.jobs)});
-  if (!cells) {
-    Error error = cells.error();
-    error.place.file = options.input.files[0];
-    return fail(error);
-  }
+  const Result<DmsCells> cells =
+      dms_cells(model, {static_cast<unsigned>(options.input.reading.jobs)});
+  if (!cells) return fail(in_dms_model(cells.error(), options.input.files[0]));
   const Status written = write_output(options.output, cells->vtu, out);
   if (!written && options.output != "-") return fail(written.error());
   if (options.output == "-") {

@@ -361,7 +361,7 @@ class RenderRun {
                    : draw_dms(file.model, options_.dms, picture_options());
     progress_.clear();
     if (!drawn && drawn.error().code == Code::kBadArgument) return fail(drawn.error());
-    if (!drawn) return refuse(drawn.error());
+    if (!drawn) return refuse(in_dms_model(drawn.error(), path()));
     if (!drawn->doubt.empty()) complain(harmless(path() + ": " + drawn->doubt));
     if (drawn->view.bytes.empty()) return kExitUndecided;
     report_.dms = std::move(drawn->facts);

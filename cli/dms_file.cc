@@ -38,6 +38,14 @@ Result<DmsComponent> dms_component(const DmsModel& model, const std::string& att
                       (names.empty() ? "no attributes" : "the attributes " + names));
 }
 
+Error in_dms_model(Error error, const std::string& path) {
+  error.place.file = path;
+  if (error.place.entity)
+    error.message = "tetrahedron " + std::to_string(*error.place.entity) + ": " + error.message;
+  error.place.entity.reset();
+  return error;
+}
+
 std::string dms_refusal(const std::string& path, const DmsDefects& defects) {
   const DmsDefect& first = defects.first.at(0);
   return path + ": " + fault_name(first.fault) + ": " + to_string(first) +

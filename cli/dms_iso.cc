@@ -86,11 +86,7 @@ class DmsIsoRun {
     options.in_solid = options_.in_solid;
     if (options_.max_cells) options.max_cells = static_cast<std::size_t>(*options_.max_cells);
     Result<DmsIso> iso = find_dms_iso(*component.spline, options, kMaxListed);
-    if (!iso) {
-      Error error = iso.error();
-      error.place.file = options_.model;
-      return error;
-    }
+    if (!iso) return in_dms_model(iso.error(), options_.model);
     report_.iso = std::move(*iso);
     return ok_status();
   }

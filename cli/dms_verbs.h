@@ -38,6 +38,9 @@ Result<DmsComponent> dms_component(const DmsModel& model, const std::string& att
 /// "PATH: CODE: where; 3 more defects". REQUIRES a defect.
 std::string dms_refusal(const std::string& path, const DmsDefects& defects);
 
+/// An error about a model, with the path, and with the tetrahedron that is its entity in words.
+Error in_dms_model(Error error, const std::string& path);
+
 /// Reads "x,y,z", exactly; "" or why not.
 std::string take_dms_point(std::string_view text, DmsPoint& point);
 

@@ -367,7 +367,7 @@ std::string CommandLine::wrong_count(const std::string& said) const {
     const bool is_flag = most == 0;
     if (is_flag || count == 0 || (count >= least && count <= most)) continue;
     if (!option->get_positional())
-      return option->get_name() + " is given " + std::to_string(count) + " times";
+      return "--" + option->get_lnames().at(0) + " is given " + std::to_string(count) + " times";
     return syntax_of(named()) + " takes " + std::to_string(least) + " files, and there " +
            (count == 1 ? "is 1" : "are " + std::to_string(count));
   }

@@ -18,6 +18,8 @@ struct DmsField {
   /// coordinates.
   const DmsInverse* solid = nullptr;
 
+  /// @error kNotFinite for coefficients of the component beyond binary64
+  Status check() const;
   /// The least box around what can be seen.
   Box3d box() const { return solid != nullptr ? solid->box() : domain_box(*spline); }
 };

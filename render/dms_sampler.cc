@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "render/dms_sampler_internal.h"
 
+#include <cmath>
 #include <limits>
 
 #include "robust/base/check.h"
 
-namespace veritope::internal {
+namespace veritope {
+
+Status DmsField::check() const {
+  for (std::size_t c = 0; c < spline->num_control(); ++c)
+    if (!std::isfinite(nearest_double(spline->value(c)[component])))
+      return Error{Code::kNotFinite, {}, "values of the attribute are beyond binary64"};
+  return ok_status();
+}
+
+namespace internal {
 namespace {
 
 FastDmsOptions options_of(std::size_t sharers) {
@@ -71,4 +81,5 @@ Vec3d point_of(const DmsRayGrid& grid, double i, double j, double t) {
   return {p[0], p[1], p[2]};
 }
 
-}  // namespace veritope::internal
+}  // namespace internal
+}  // namespace veritope

@@ -61,6 +61,7 @@ void draw_isolines(const std::vector<double>& values, const Bands& band, Image& 
 
 Result<DmsSlicePicture> draw_dms_slice(const DmsField& field, const DmsSlicePlane& cut,
                                        const PictureOptions& look, const DmsSliceOptions& options) {
+  if (const Status status = field.check(); !status) return status.error();
   const Result<DmsRayGrid> grid = points_of_picture(field.box(), cut, look);
   if (!grid) return grid.error();
   const std::vector<double> values = values_of(field, *grid, look.jobs);
@@ -71,8 +72,8 @@ Result<DmsSlicePicture> draw_dms_slice(const DmsField& field, const DmsSlicePlan
   if (low > high)
     return Error{Code::kEmpty,
                  {},
-                 field.solid != nullptr ? "the plane shows no point of the solid"
-                                        : "the plane shows no point of the domain"};
+                 field.solid != nullptr ? "no pixel shows a point of the solid"
+                                        : "no pixel shows a point of the domain"};
   if (options.range) low = (*options.range)[0], high = (*options.range)[1];
   if (!std::isfinite(high - low))
     return Error{Code::kNotFinite, {}, "values of the attribute are beyond binary64"};

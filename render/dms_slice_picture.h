@@ -27,7 +27,8 @@ struct DmsSlicePicture {
 /// there is none. A pixel is dark if an isoline parts it from the pixel on its right or below.
 /// REQUIRES a model without defects (solids/dms/dms_defects.h), a vector of the cut other than 0, low < high in the
 /// range.
-/// @error  as points_of_picture; kEmpty if no point of a pixel has a value; kNotFinite for values beyond binary64
+/// @error  as points_of_picture and DmsField::check; kEmpty if no point of a pixel has a value; kNotFinite for values
+/// beyond binary64
 Result<DmsSlicePicture> draw_dms_slice(const DmsField& field, const DmsSlicePlane& cut,
                                        const PictureOptions& look, const DmsSliceOptions& options);
 

@@ -153,6 +153,7 @@ class Caster {
 Result<DmsVolumePicture> draw_dms_volume(const DmsField& field, const TransferFunction& transfer,
                                          const PictureOptions& look, std::optional<double> step) {
   constexpr double kMostSteps = 1 << 16, kStepsOfDiagonal = 200;
+  if (const Status status = field.check(); !status) return status.error();
   const Box3d box = field.box();
   const Result<DmsRayGrid> rays = rays_of_picture(box, look);
   if (!rays) return rays.error();

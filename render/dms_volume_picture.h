@@ -21,7 +21,7 @@ struct DmsVolumePicture {
 /// the next one is not, 10 halvings look for its end; what is thinner than a step may be missed. A ray ends where it
 /// has lost 999/1000 of its light; behind all is white.
 /// REQUIRES a model without defects (solids/dms/dms_defects.h), 0 < step.
-/// @error  as rays_of_picture; kOverLimit for more than 2^16 steps
+/// @error  as rays_of_picture and DmsField::check; kOverLimit for more than 2^16 steps
 /// @cost   a value of FastDms, or a preimage, for each sample
 Result<DmsVolumePicture> draw_dms_volume(const DmsField& field, const TransferFunction& transfer,
                                          const PictureOptions& look, std::optional<double> step);

@@ -22,7 +22,7 @@ inline std::string vtu_begin(std::uint64_t num_points, std::uint64_t num_cells) 
 }
 inline constexpr std::string_view kVtuEnd = "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 
-/// Text with the characters that XML reserves replaced by entities, and control characters by "_".
+/// Text with the characters that XML reserves replaced by entities, and those that it excludes by "\\x01" and so on.
 inline std::string xml_text(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -31,7 +31,13 @@ inline std::string xml_text(std::string_view text) {
       case '<': out += "&lt;"; break;
       case '>': out += "&gt;"; break;
       case '"': out += "&quot;"; break;
-      default: out += static_cast<unsigned char>(c) < 0x20 ? '_' : c;
+      default:
+        if (static_cast<unsigned char>(c) >= 0x20) {
+          out += c;
+        } else {
+          constexpr const char* kDigits = "0123456789abcdef";
+          out += std::string("\\x") + kDigits[c >> 4] + kDigits[c & 15];
+        }
     }
   }
   return out;

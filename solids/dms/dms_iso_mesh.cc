@@ -44,7 +44,7 @@ class IsoDrawing {
       if (cell.is_alive && cell.off == 0) add(cell);
     count();
     if (!beyond_) return ok_status();
-    Error error{Code::kNotFinite, {}, "a vertex in this tetrahedron is beyond binary64"};
+    Error error{Code::kNotFinite, {}, "a vertex of the surface is beyond binary64"};
     error.place.entity = *beyond_;
     return error;
   }

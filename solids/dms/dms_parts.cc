@@ -37,7 +37,8 @@ Cell cell_of(const Corners& corners) {
 Edge edge_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 // One polygon of all these edges. REQUIRES that they are one.
-std::vector<std::uint32_t> loop_of(const std::map<std::uint32_t, std::vector<std::uint32_t>>& next) {
+std::vector<std::uint32_t> loop_of(
+    const std::map<std::uint32_t, std::vector<std::uint32_t>>& next) {
   std::vector<std::uint32_t> out{next.begin()->first};
   std::uint32_t before = next.begin()->second.at(1);
   for (;;) {
@@ -72,9 +73,7 @@ class HalfCell {
   }
 
  private:
-  int sign(std::uint32_t corner) const {
-    return side_ * static_cast<int>(heights_[corner].sign());
-  }
+  int sign(std::uint32_t corner) const { return side_ * static_cast<int>(heights_[corner].sign()); }
   std::uint32_t number(const Edge& edge) {
     const auto [at, is_new] =
         numbers_.try_emplace(edge, static_cast<std::uint32_t>(out_.corners.size()));
@@ -108,7 +107,7 @@ class HalfCell {
   int side_;
   Cell out_;
   std::map<Edge, std::uint32_t> numbers_;  // two equal ends: a corner of the cell
-  std::set<Edge> section_;                  // edges in the plane
+  std::set<Edge> section_;                 // edges in the plane
 };
 
 class Parts {
@@ -151,11 +150,18 @@ class Parts {
   }
   DmsPlane plane_of(const std::array<std::uint32_t, 3>& three) const {
     const DmsPoint& o = knots_.point(three[0]);
-    DmsPlane out{cross_product(difference(knots_.point(three[1]), o),
-                               difference(knots_.point(three[2]), o)),
-                 {}};
+    DmsPlane out{
+        cross_product(difference(knots_.point(three[1]), o), difference(knots_.point(three[2]), o)),
+        {}};
     out.number = dot_product(out.vector, o);
     return out;
+  }
+  static Corners oriented(Corners corners) {
+    const DmsPoint a = difference(corners[1], corners[0]), b = difference(corners[2], corners[0]),
+                   c = difference(corners[3], corners[0]);
+    if (dot_product(a, cross_product(b, c)).sign() == Sign::kNegative)
+      std::swap(corners[2], corners[3]);
+    return corners;
   }
   static DmsCell finished(Cell& cell) {
     DmsCell out;
@@ -163,8 +169,8 @@ class Parts {
       const std::vector<std::uint32_t>& c = f.corners;
       if (std::find(c.begin(), c.end(), 0) == c.end())
         for (std::size_t i = 1; i + 1 < c.size(); ++i)
-          out.tetrahedra.push_back(
-              {cell.corners[0], cell.corners[c[0]], cell.corners[c[i]], cell.corners[c[i + 1]]});
+          out.tetrahedra.push_back(oriented(
+              {cell.corners[0], cell.corners[c[0]], cell.corners[c[i]], cell.corners[c[i + 1]]}));
       if (side_of_plane(cell.corners, f.plane) < 0) {
         for (Rational& x : f.plane.vector) x.negate();
         f.plane.number.negate();

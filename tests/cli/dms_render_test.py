@@ -142,7 +142,7 @@ class Slice(DmsPicture):
         self.assertTrue(60 < count < 120 * 3 * 3, count)
 
     def test_a_plane_beside_the_domain_shows_nothing(self):
-        self.assertIn("the plane shows no point of the domain", self.render("m.vdms", "-o", "x.png", "--mode", "slice", "--attribute", "density", "--plane", "0,0,1,3", status=4))
+        self.assertIn("no pixel shows a point of the domain", self.render("m.vdms", "-o", "x.png", "--mode", "slice", "--attribute", "density", "--plane", "0,0,1,3", status=4))
         self.assertFalse((self.folder / "x.png").exists())
 
 

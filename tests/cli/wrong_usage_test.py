@@ -158,6 +158,7 @@ VALUES = [
     ("render a.off -o p.png --mode iso --attribute a --level x", 2, "--level: must be a number, not x"),
     ("render a.off -o p.png --mode iso --attribute a --level 1 --within 0", 2, "--within: must be a number > 0"),
     ("render a.off -o p.png --mode xray --attribute a --space solid", 2, "--space: pictures of mode xray are of the domain"),
+    ("render a.off -o p.png --space solid --space solid", 2, "--space is given 2 times"),
     ("render a.off -o p.png --space here", 2, "--space: must be domain or solid, not here"),
     ("render a.off -o p.png --isolines 3", 2, "--isolines needs --mode"),
     ("render a.off -o p.png --mode xray --attribute a --transfer 0:1,1,1,1", 2, "--transfer is not for this mode"),

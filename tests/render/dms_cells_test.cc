@@ -36,9 +36,8 @@ TEST(VtkTetrahedronOrder, NumbersCornersEdgesFacesThenTheTetrahedronInside) {
 TEST(VtkTetrahedronOrder, NumbersEachControlPointOnce) {
   for (int degree = 1; degree <= kMaxDmsDegree; ++degree) {
     std::set<std::size_t> seen;
-    for_each_tetrahedral_index(degree, [&](const TetrahedralIndex& index) {
-      seen.insert(vtk_tetrahedron_index(index));
-    });
+    for_each_tetrahedral_index(
+        degree, [&](const TetrahedralIndex& index) { seen.insert(vtk_tetrahedron_index(index)); });
     EXPECT_EQ(seen.size(), num_tetrahedral_indices(degree));
     EXPECT_EQ(*seen.rbegin(), seen.size() - 1);
   }
@@ -81,8 +80,8 @@ struct ReadCells {
   std::array<double, 4> at(std::size_t cell, int degree, const std::array<double, 4>& w) const {
     std::array<double, 4> out{};
     for_each_tetrahedral_index(degree, [&](const TetrahedralIndex& index) {
-      const auto p = static_cast<std::size_t>(
-          connectivity[cell * corners + vtk_tetrahedron_index(index)]);
+      const auto p =
+          static_cast<std::size_t>(connectivity[cell * corners + vtk_tetrahedron_index(index)]);
       const double share = binomial_share(degree, index, w);
       for (std::size_t c = 0; c < 3; ++c) out[c] += share * points[3 * p + c];
       if (!attribute.empty()) out[3] += share * attribute[p];
@@ -140,8 +139,8 @@ TEST(DmsCells, ShareTheControlPointsOfCommonFaces) {
   // Two tetrahedra with collapsed clouds, quadratic: 10 control points each, 6 of them in common.
   DmsModel model;
   model.degree = 2;
-  for (const auto& [x, y, z] : std::vector<std::array<int, 3>>{
-           {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}})
+  for (const auto& [x, y, z] :
+       std::vector<std::array<int, 3>>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}})
     model.clouds.push_back({{Rational(x), Rational(y), Rational(z)}});
   model.tetrahedra = {{0, 1, 2, 3}, {1, 2, 3, 4}};
   for (std::uint32_t a = 0; a < 5; ++a)
@@ -191,6 +190,8 @@ TEST(DmsCells, KeepNamesThatXmlReserves) {
   const auto cells = dms_cells(model, {});
   ASSERT_TRUE(cells);
   EXPECT_NE(cells->vtu.find("Name=\"p&lt;q &amp; &quot;r&quot;\""), std::string::npos);
+  model.attributes = {"a\x1f"};
+  EXPECT_NE(dms_cells(model, {})->vtu.find("Name=\"a\\x1f\""), std::string::npos);
 }
 
 }  // namespace

@@ -173,6 +173,49 @@ TEST(DmsInverse, FindsPreimagesBesideThinTetrahedra) {
   EXPECT_FALSE(inverse->find({0.25, 0.25, 0.5001}).has_value());
 }
 
+// Beside the plane x = 0 the derivative is nearly singular: x' = (1 - e) x^2 / 2 + e x.
+TEST(DmsInverse, NearlySingularDerivativesTakeFewParts) {
+  Random random(2);
+  DmsModel model = drawn_box(random, {1, 1, 1}, 2, false);
+  const Rational e = Rational::power_of_two(-12);
+  // The blossom of the map, at the two knots of each control point.
+  dms_truth::set_control_by_knots(model, [&](const std::vector<DmsPoint>& knots) {
+    const DmsPoint &a = knots[0], &b = knots[1];
+    const Rational half = ratio(1, 2);
+    return DmsPoint{(Rational(1) - e) * half * a[0] * b[0] + e * half * (a[0] + b[0]),
+                    half * (a[1] + b[1]), half * (a[2] + b[2])};
+  });
+  const auto inverse = DmsInverse::make(model, {});
+  ASSERT_TRUE(inverse);
+  EXPECT_LT(inverse->num_parts(), 8000u);
+  for (const double x : {0x1p-30, 0x1p-20, 0x1p-10, 0.25, 0.9375}) {
+    const double to = nearest_double((Rational(1) - e) * ratio(1, 2) * Rational::from_double(x) *
+                                         Rational::from_double(x) +
+                                     e * Rational::from_double(x));
+    const auto place = inverse->find({to, 0.375, 0.6875});
+    ASSERT_TRUE(place.has_value()) << x;
+    EXPECT_NEAR(inverse->domain_point(*place)[0], x, 1e-6);
+  }
+  EXPECT_FALSE(inverse->find({-0.01, 0.375, 0.6875}).has_value());
+}
+
+TEST(DmsInverse, FarFromTheOriginNothingIsAddedToTheSolid) {
+  Random random(2);
+  DmsModel model = drawn_box(random, {1, 1, 1}, 2, true);
+  const double far = 0x1p40;
+  for (std::size_t i = 0; i < model.control.values.size(); ++i)
+    model.control.values[i] += Rational::from_double(far);
+  const auto inverse = DmsInverse::make(model, {});
+  ASSERT_TRUE(inverse);
+  for (const double x : {-0x1p-10, 0.5, 1 + 0x1p-10}) {
+    const auto place = inverse->find({far + x, far + 0.25, far + 0.625});
+    ASSERT_EQ(place.has_value(), x > 0 && x < 1) << x;
+    if (place) {
+      EXPECT_NEAR(inverse->domain_point(*place)[0], x, 1e-9);
+    }
+  }
+}
+
 TEST(DmsInverse, IsRefusedForTooManyParts) {
   const DmsModel model = bent_box(8, 2, true);
   DmsInverseOptions options;

@@ -126,7 +126,8 @@ std::optional<Point3d> DmsInverse::find_in(std::size_t number, const Point3d& x)
 
 std::optional<DmsInverse::Place> DmsInverse::find(const Point3d& p) const {
   std::optional<Place> out;
-  const Point3d x{p[0] * scale_, p[1] * scale_, p[2] * scale_};
+  const Point3d beside = minus(p, offset_),
+                x{beside[0] * scale_, beside[1] * scale_, beside[2] * scale_};
   const auto holds = [&](const Box3d& b) {
     for (std::size_t c = 0; c < 3; ++c)
       if (!(x[c] >= b.lo[c] && x[c] <= b.hi[c])) return false;

@@ -31,7 +31,7 @@ class DmsInverse {
  public:
   /// REQUIRES a model with coordinates and without defects (solids/dms/dms_defects.h). Where the map is not one to one,
   /// as only `certify` proves, a point has several preimages, and one of them is found. Parts that 72 halvings leave
-  /// uneven, and those with heights below 2^-40 of their size, are left out.
+  /// uneven, and those with heights below 2^-48 of their size, are left out.
   /// @error kOverLimit, kNotFinite, with the tetrahedron as the entity
   /// @cost  the polynomial of each convex cell (solids/dms/dms_polynomials.h)
   static Result<DmsInverse> make(const DmsModel& model, const DmsInverseOptions& options);
@@ -78,6 +78,7 @@ class DmsInverse {
   std::optional<Point3d> find_in(std::size_t leaf, const Point3d& x) const;
 
   int degree_;
+  Point3d offset_{};  // the middle of the solid, nearly; images are beside it, times the scale
   double scale_ = 1;  // a power of two: images have coordinates of at most about 1
   std::size_t count_, components_, stride_;
   std::vector<std::array<int, 3>> exponents_;  // of the monomials

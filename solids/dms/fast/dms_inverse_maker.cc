@@ -18,23 +18,16 @@ using Corners = std::array<DmsPoint, 4>;
 
 constexpr int kMostHalvings = 72;
 constexpr std::size_t kMostNumbers = std::size_t{1} << 27;  // of all parts: a gigabyte
-constexpr double kLeastHeight = 0x1p-40;
+constexpr double kLeastHeight = 0x1p-48;
 
 struct Part {
   Corners corners;
   int halvings = 0;
 };
 
-// The middle of the longest edge in the place of either of its ends.
-std::pair<Part, Part> halves(const Part& part) {
-  std::size_t i = 0, j = 1;
-  double most = -1;
-  for (std::size_t a = 0; a < 4; ++a)
-    for (std::size_t b = a + 1; b < 4; ++b) {
-      const DmsPoint d = difference(part.corners[a], part.corners[b]);
-      const double length = nearest_double(dot_product(d, d));
-      if (length > most) most = length, i = a, j = b;
-    }
+// The middle of an edge in the place of either of its ends.
+std::pair<Part, Part> halves(const Part& part, const std::array<std::size_t, 2>& edge) {
+  const auto [i, j] = edge;
   DmsPoint middle;
   for (std::size_t c = 0; c < 3; ++c)
     middle[c] = (part.corners[i][c] + part.corners[j][c]) * Rational::power_of_two(-1);
@@ -54,12 +47,24 @@ class DmsInverseMaker {
  public:
   DmsInverseMaker(const DmsModel& model, const DmsInverseOptions& options)
       : model_(model), options_(options), out_(model.degree, options.component ? 4 : 3) {
-    double greatest = 0;
-    for (std::size_t i = 0; i < model.num_control(); ++i)
-      for (std::size_t c = 0; c < 3; ++c)
-        greatest = std::max(greatest, std::abs(nearest_double(model.value(i)[c])));
+    const std::size_t stride = model_.num_components();
+    Box3d box = empty_box();
+    for (std::size_t i = 0; i < model_.num_control(); ++i)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double x = nearest_double(model_.value(i)[c]);
+        box.lo[c] = std::min(box.lo[c], x), box.hi[c] = std::max(box.hi[c], x);
+      }
+    // Basis functions add up to 1, so a translation of the control points is one of the solid.
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double middle = 0.5 * box.lo[c] + 0.5 * box.hi[c];
+      if (!std::isfinite(middle)) continue;
+      out_.offset_[c] = middle;
+      const Rational offset = Rational::from_double(middle);
+      for (std::size_t i = 0; i < model_.num_control(); ++i)
+        model_.control.values[i * stride + c] -= offset;
+    }
     int exponent = 0;
-    if (std::isfinite(greatest)) std::frexp(greatest, &exponent);
+    if (std::isfinite(extent(box))) std::frexp(extent(box), &exponent);
     out_.scale_ = std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
   }
 
@@ -71,6 +76,8 @@ class DmsInverseMaker {
         },
         [this](std::uint32_t tetrahedron, const Made& made) { return take(tetrahedron, made); });
     if (!status) return status.error();
+    if (boxes_.empty())
+      return Error{Code::kOverLimit, {}, "all tetrahedra are thinner than 2^-48 of their size"};
     out_.boxes_ = BoxHierarchy(boxes_);
     return std::move(out_);
   }
@@ -91,7 +98,10 @@ class DmsInverseMaker {
     append(out_.nets_, made.nets);
     append(boxes_, made.boxes);
     for (Box3d box : made.boxes) {
-      for (std::size_t c = 0; c < 3; ++c) box.lo[c] /= out_.scale_, box.hi[c] /= out_.scale_;
+      for (std::size_t c = 0; c < 3; ++c) {
+        box.lo[c] = box.lo[c] / out_.scale_ + out_.offset_[c];
+        box.hi[c] = box.hi[c] / out_.scale_ + out_.offset_[c];
+      }
       out_.box_ = hull(out_.box_, box);
     }
     return ok_status();
@@ -141,11 +151,12 @@ class DmsInverseMaker {
       todo.pop_back();
       DmsInverse::Leaf leaf;
       if (!place(part, leaf)) continue;
-      const Result<bool> added = add_leaf(tetrahedron, part, map, slope, leaf, made);
+      std::array<std::size_t, 2> edge{};
+      const Result<bool> added = add_leaf(tetrahedron, part, map, slope, leaf, edge, made);
       if (!added) return added.error();
       if (is_over(made.leaves.size())) return too_many(tetrahedron);
       if (*added || part.halvings == kMostHalvings) continue;
-      auto [first, second] = halves(part);
+      auto [first, second] = halves(part, edge);
       todo.push_back(std::move(second));
       todo.push_back(std::move(first));
     }
@@ -212,9 +223,10 @@ class DmsInverseMaker {
     return out;
   }
 
-  // False if the map is not even enough there.
+  // False if the map is not even enough there, and the edge that is to be halved.
   Result<bool> add_leaf(std::uint32_t tetrahedron, const Part& part, DmsRestriction& map,
-                        DmsRestriction& slope, DmsInverse::Leaf& leaf, Made& made) const {
+                        DmsRestriction& slope, DmsInverse::Leaf& leaf,
+                        std::array<std::size_t, 2>& edge, Made& made) const {
     const std::vector<double> net = monomials_on(leaf, map);
     if (!std::all_of(net.begin(), net.end(), [](double x) { return std::isfinite(x); }))
       return error_in_tetrahedron(Code::kNotFinite, tetrahedron,
@@ -226,7 +238,11 @@ class DmsInverseMaker {
       const Point3d column = internal::solved(here.along, unit);
       for (std::size_t m = 0; m < 3; ++m) leaf.linear[m][c] = column[m];
     }
-    if (!is_even(slope.on(part.corners), leaf)) return false;
+    const auto slopes = slope.on(part.corners);
+    if (!is_even(slopes, leaf)) {
+      edge = uneven_edge(slopes, leaf);
+      return false;
+    }
     Box3d box = empty_box();
     const auto components = map.on(part.corners);
     double greatest = 0;
@@ -272,7 +288,33 @@ class DmsInverseMaker {
     return true;
   }
 
-  const DmsModel& model_;
+  // Along which the derivative changes most, or the longest one. Where it is nearly singular it changes in one
+  // direction only, and halving along others, too, would take the square of the number of parts.
+  std::array<std::size_t, 2> uneven_edge(const std::vector<std::vector<double>>& slope,
+                                         const DmsInverse::Leaf& leaf) const {
+    std::array<std::size_t, 2> out{0, 1}, longest{0, 1};
+    double most = 0, most_length = -1;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        TetrahedralIndex at_i{}, at_j{};
+        at_i[i] = at_j[j] = model_.degree - 1;
+        double change = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const auto moved = [&](std::size_t k) {
+            const std::vector<double>& s = slope[3 * k + c];
+            return s[tetrahedral_index(at_j)] - s[tetrahedral_index(at_i)];
+          };
+          const Point3d column = internal::times(leaf.linear, {moved(0), moved(1), moved(2)});
+          change += dot(column, column);
+        }
+        const Point3d d = internal::minus(leaf.corners[i], leaf.corners[j]);
+        if (change > most) most = change, out = {i, j};
+        if (dot(d, d) > most_length) most_length = dot(d, d), longest = {i, j};
+      }
+    return most > 0 && std::isfinite(most) ? out : longest;
+  }
+
+  DmsModel model_;  // moved to the offset
   const DmsInverseOptions& options_;
   DmsInverse out_;
   std::vector<Box3d> boxes_;

@@ -24,7 +24,7 @@ struct DmsSlicePicture {
 };
 
 /// Pixel (i, j) has the colour of the value at point (i, j) of `points` (render/colour_map.h), or is white where
-/// there is none. A pixel is dark if an isoline parts it from the pixel on its right or below.
+/// nothing has a value. A pixel is dark if an isoline parts it from the pixel on its right or below.
 /// REQUIRES a model without defects (solids/dms/dms_defects.h), a vector of the cut other than 0, low < high in the
 /// range.
 /// @error  as points_of_picture and DmsField::check; kEmpty if no point of a pixel has a value; kNotFinite for values

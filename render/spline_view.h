@@ -61,9 +61,9 @@ std::size_t vtk_point_index(const std::array<std::size_t, 3>& index,
 std::size_t vtk_triangle_index(int i, int j, int k);
 
 /// The index of control point b_ijkl of a Bezier tetrahedron, whose corners 0 to 3 are VTK's: corners, edges 01, 12,
-/// 20, 03, 13, 23 from the first corner to the second, the insides of the faces 013, 231, 032, 021 as triangles of these
-/// corners, then the tetrahedron inside, likewise. Source: VTK 9.1, vtkHigherOrderTetra::Index with its coordinates
-/// (j, k, l, i). REQUIRES i, j, k, l >= 0, not all 0.
+/// 20, 03, 13, 23 from the first corner to the second, the insides of the faces 013, 231, 032, 021 as triangles of
+/// these corners, then the tetrahedron inside, likewise. Source: VTK 9.1, vtkHigherOrderTetra::Index with its
+/// coordinates (j, k, l, i). REQUIRES i, j, k, l >= 0, not all 0.
 std::size_t vtk_tetrahedron_index(std::array<int, 4> index);
 
 /// RFC 4648.

@@ -20,7 +20,7 @@ struct DmsCell {
       tetrahedra;  ///< positively oriented; all have the first corner
 };
 
-/// Cells that tile a tetrahedron of the domain. None of them is reached by a triangle of knots that could crease the
+/// Cells that tile a tetrahedron of the domain. No cell is reached by a triangle of knots that could crease the
 /// map there, so that the map is one polynomial on each and DmsPieces accepts it. Where clouds are collapsed nearby,
 /// the tetrahedron itself is the only one. A plane of knots cuts only those cells that its triangle may reach, so faces
 /// of neighbours may have only parts in common.

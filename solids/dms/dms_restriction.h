@@ -20,7 +20,7 @@ class DmsRestriction {
   DmsRestriction(int degree, const std::array<DmsPoint, 4>& corners,
                  std::span<const std::vector<Rational>> components);
 
-  /// The same coefficients on another tetrahedron, each the nearest binary64 number.
+  /// Restricts the polynomials to another tetrahedron: their coefficients there, each the nearest binary64 number.
   /// @cost for each coefficient and component a few products of integers for each lower degree
   std::vector<std::vector<double>> on(const std::array<DmsPoint, 4>& corners);
 

@@ -26,7 +26,7 @@ TEST(VtkTetrahedronOrder, NumbersCornersEdgesFacesThenTheTetrahedronInside) {
        {0, 0, 1, 2}, {1, 1, 0, 1}, {0, 1, 1, 1}, {1, 0, 1, 1}, {1, 1, 1, 0}}};
   for (std::size_t n = 0; n < order.size(); ++n) EXPECT_EQ(vtk_tetrahedron_index(order[n]), n);
   EXPECT_EQ(vtk_tetrahedron_index({1, 1, 1, 1}), 34u);
-  // Of degree 4 the inside of a face is a triangle of degree 1, and turns as the list of faces says.
+  // For degree 4 the inside of a face is a triangle of degree 1, and turns as the list of faces says.
   EXPECT_EQ(vtk_tetrahedron_index({2, 1, 0, 1}), 22u);
   EXPECT_EQ(vtk_tetrahedron_index({1, 2, 0, 1}), 23u);
   EXPECT_EQ(vtk_tetrahedron_index({0, 1, 2, 1}), 25u);

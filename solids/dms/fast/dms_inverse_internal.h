@@ -24,7 +24,7 @@ inline Point3d cross(const Point3d& a, const Point3d& b) {
 inline Point3d times(const std::array<Point3d, 3>& rows, const Point3d& x) {
   return {dot(rows[0], x), dot(rows[1], x), dot(rows[2], x)};
 }
-/// x with columns[0] x_0 + columns[1] x_1 + columns[2] x_2 = b; not finite if there is none.
+/// x with columns[0] x_0 + columns[1] x_1 + columns[2] x_2 = b; not finite if no such x exists.
 inline Point3d solved(const std::array<Point3d, 3>& columns, const Point3d& b) {
   const double volume = dot(columns[0], cross(columns[1], columns[2]));
   return {dot(b, cross(columns[1], columns[2])) / volume,

@@ -28,8 +28,8 @@ FastStore::FastStore(const DmsModel& model, const DmsEvaluator& evaluator, FastC
     is_in_range_ = is_in_range_ && (most == 0 || (most >= kLeastControl && most <= kMostControl));
 }
 
-// Then its sets of knots have their hulls inside of it, and no value elsewhere. Thin tetrahedra, whose numbers are out of
-// range, would otherwise keep their neighbours from having tables.
+// Then its sets of knots have their hulls inside of it, and no value elsewhere. Thin tetrahedra, whose numbers are out
+// of range, would otherwise keep their neighbours from having tables.
 bool FastStore::is_collapsed(std::uint32_t t) const {
   const TetrahedronCorners& corners = model_.tetrahedra[t];
   return std::all_of(corners.begin(), corners.end(),

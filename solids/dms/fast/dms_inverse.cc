@@ -106,7 +106,9 @@ std::optional<Point3d> DmsInverse::find_in(std::size_t number, const Point3d& x)
     const Evaluated here = evaluate(net(number), at);
     const Point3d rest = minus(x, here.value);
     if (size_of(times(leaf.linear, rest)) <= done) {
-      if (is_within(at, slack)) return at;
+      // Beside all planes of a thin part by little one may be far from it.
+      const Point3d near = projected(at);
+      if (size_of(minus(near, at)) <= slack) return near;
       break;
     }
     const Point3d more = internal::solved(here.along, rest);

@@ -31,7 +31,8 @@ class DmsInverse {
  public:
   /// REQUIRES a model with coordinates and without defects (solids/dms/dms_defects.h). Where the map is not one to one,
   /// as only `certify` proves, a point has several preimages, and one of them is found. Parts that 72 halvings leave
-  /// uneven, and those with heights below 2^-48 of their size, are left out.
+  /// uneven, and those with heights below 2^-48 of their size (2^-20 where the map is so steep that binary64 does not
+  /// suffice), are left out; likewise those with images thinner than 2^-22 of the solid.
   /// @error kOverLimit, kNotFinite, with the tetrahedron as the entity
   /// @cost  the polynomial of each convex cell (solids/dms/dms_polynomials.h)
   static Result<DmsInverse> make(const DmsModel& model, const DmsInverseOptions& options);

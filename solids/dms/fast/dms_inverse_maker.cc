@@ -19,6 +19,10 @@ using Corners = std::array<DmsPoint, 4>;
 constexpr int kMostHalvings = 72;
 constexpr std::size_t kMostNumbers = std::size_t{1} << 27;  // of all parts: a gigabyte
 constexpr double kLeastHeight = 0x1p-48;
+// Where triangles of knots cut thin cells, the polynomial may be so steep that rounding errors of places exceed the
+// first number. Then parts with heights below the second one are left out, and those whose images are so thin that
+// halving them does not help. Others are halved.
+constexpr double kMostNoise = 0x1p-24, kThin = 0x1p-20;
 
 struct Part {
   Corners corners;
@@ -199,10 +203,8 @@ class DmsInverseMaker {
           std::sqrt(dot(n, n)), nearest_double(dot_product(scaled, part.corners[m]) - number));
       leaf.normals[m] = {n[0] / length, n[1] / length, n[2] / length};
       leaf.heights[m] = nearest_double(dot_product(scaled, middle) - number) / length / leaf.radius;
-      const double height = dot(leaf.normals[m], leaf.corners[m]) + leaf.heights[m];
-      if (!(height >= kLeastHeight)) return false;
     }
-    return true;
+    return least_height(leaf) >= kLeastHeight;
   }
 
   // The components in a part's coordinates, as sums of monomials: from the tetrahedron with the middle and points at a
@@ -254,10 +256,14 @@ class DmsInverseMaker {
       for (std::size_t i = 0; i < out_.count_; ++i)
         greatest = std::max(greatest, std::abs(net[c * out_.count_ + i]));
     }
+    double inverse = 0;
     for (const Point3d& row : leaf.linear)
-      leaf.noise =
-          std::max(leaf.noise,
-                   0x1p-46 * greatest * (std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2])));
+      inverse = std::max(inverse, std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]));
+    leaf.noise = 0x1p-46 * greatest * inverse;
+    if (!(leaf.noise <= kMostNoise)) {
+      edge = longest_edge(leaf);
+      return 0x1p-46 * inverse > kMostNoise || least_height(leaf) < kThin;
+    }
     const double wider = kInverseEdge * extent(box) + 0x1p-46 * greatest;
     for (std::size_t c = 0; c < 3; ++c) box.lo[c] -= wider, box.hi[c] += wider;
     made.boxes.push_back(box);
@@ -292,26 +298,40 @@ class DmsInverseMaker {
   // direction only, and halving along others, too, would take the square of the number of parts.
   std::array<std::size_t, 2> uneven_edge(const std::vector<std::vector<double>>& slope,
                                          const DmsInverse::Leaf& leaf) const {
-    std::array<std::size_t, 2> out{0, 1}, longest{0, 1};
-    double most = 0, most_length = -1;
+    std::array<std::size_t, 2> out{};
+    double most = 0;
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = i + 1; j < 4; ++j) {
         TetrahedralIndex at_i{}, at_j{};
         at_i[i] = at_j[j] = model_.degree - 1;
         double change = 0;
         for (std::size_t c = 0; c < 3; ++c) {
-          const auto moved = [&](std::size_t k) {
-            const std::vector<double>& s = slope[3 * k + c];
-            return s[tetrahedral_index(at_j)] - s[tetrahedral_index(at_i)];
-          };
-          const Point3d column = internal::times(leaf.linear, {moved(0), moved(1), moved(2)});
+          Point3d moved;
+          for (std::size_t k = 0; k < 3; ++k)
+            moved[k] = slope[3 * k + c][tetrahedral_index(at_j)] -
+                       slope[3 * k + c][tetrahedral_index(at_i)];
+          const Point3d column = internal::times(leaf.linear, moved);
           change += dot(column, column);
         }
-        const Point3d d = internal::minus(leaf.corners[i], leaf.corners[j]);
         if (change > most) most = change, out = {i, j};
-        if (dot(d, d) > most_length) most_length = dot(d, d), longest = {i, j};
       }
-    return most > 0 && std::isfinite(most) ? out : longest;
+    return most > 0 && std::isfinite(most) ? out : longest_edge(leaf);
+  }
+  static std::array<std::size_t, 2> longest_edge(const DmsInverse::Leaf& leaf) {
+    std::array<std::size_t, 2> out{};
+    double most = -1;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const Point3d d = internal::minus(leaf.corners[i], leaf.corners[j]);
+        if (dot(d, d) > most) most = dot(d, d), out = {i, j};
+      }
+    return out;
+  }
+  static double least_height(const DmsInverse::Leaf& leaf) {
+    double out = 1;
+    for (std::size_t m = 0; m < 4; ++m)
+      out = std::min(out, dot(leaf.normals[m], leaf.corners[m]) + leaf.heights[m]);
+    return out;
   }
 
   DmsModel model_;  // moved to the offset

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/canonical_convert.h"
 #include "cli/commands.h"
 #include "cli/convert_options.h"
 #include "cli/did_you_mean.h"
-#include "cli/canonical_convert.h"
 #include "cli/model_files.h"
 #include "cli/output_plan.h"
 #include "cli/spline_convert.h"

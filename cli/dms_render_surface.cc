@@ -119,7 +119,7 @@ Result<DmsDrawing> level_of(const DmsModel& model, const DmsRenderOptions& optio
   const bool in_solid = !options.in_domain.value_or(false);
   DmsDrawing out;
   out.facts.mode = "iso";
-  out.facts.in_solid = !options.in_domain.value_or(false);
+  out.facts.in_solid = in_solid;
   out.facts.certified = iso->certified;
   if (!iso->certified)
     out.doubt = "the topology of the surface is not certified: " +

@@ -94,7 +94,7 @@ class DmsInverseMaker {
   };
 
   Status take(std::uint32_t tetrahedron, const Made& made) {
-    if (out_.leaves_.size() + made.leaves.size() > options_.max_parts) return too_many(tetrahedron);
+    if (is_over(out_.leaves_.size() + made.leaves.size())) return too_many(tetrahedron);
     const auto append = [](auto& to, const auto& from) {
       to.insert(to.end(), from.begin(), from.end());
     };

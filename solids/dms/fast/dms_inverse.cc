@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robust/base/check.h"
+#include "robust/base/nearest_on_triangle.h"
 #include "solids/dms/fast/dms_inverse_internal.h"
 #include "splines/dms_spline.h"
 
@@ -19,27 +20,6 @@ using internal::times;
 
 double size_of(const Point3d& p) {
   return std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-}
-// The nearest point of a triangle. Source: Ericson, Real-Time Collision Detection, 5.1.5.
-Point3d nearest_in_triangle(const Point3d& p, const Point3d& a, const Point3d& b,
-                            const Point3d& c) {
-  const auto between = [](const Point3d& from, const Point3d& to, double t) {
-    return Point3d{from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]),
-                   from[2] + t * (to[2] - from[2])};
-  };
-  const Point3d ab = minus(b, a), ac = minus(c, a), ap = minus(p, a), bp = minus(p, b),
-                cp = minus(p, c);
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp),
-               d5 = dot(ab, cp), d6 = dot(ac, cp);
-  if (d1 <= 0 && d2 <= 0) return a;
-  if (d3 >= 0 && d4 <= d3) return b;
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return between(a, b, d1 / (d1 - d3));
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return between(a, c, d2 / (d2 - d6));
-  if (va <= 0 && d4 >= d3 && d5 >= d6) return between(b, c, (d4 - d3) / ((d4 - d3) + (d5 - d6)));
-  const double v = vb / (va + vb + vc), w = vc / (va + vb + vc);
-  return {a[0] + v * ab[0] + w * ac[0], a[1] + v * ab[1] + w * ac[1], a[2] + v * ab[2] + w * ac[2]};
 }
 
 }  // namespace
@@ -91,8 +71,8 @@ std::optional<Point3d> DmsInverse::find_in(std::size_t number, const Point3d& x)
     if (is_within(at, 0)) return at;
     Point3d out = leaf.corners[0];
     for (std::size_t m = 0; m < 4; ++m) {
-      const Point3d on = nearest_in_triangle(at, leaf.corners[(m + 1) % 4],
-                                             leaf.corners[(m + 2) % 4], leaf.corners[(m + 3) % 4]);
+      const Point3d on = approx_nearest_on_triangle(
+          at, leaf.corners[(m + 1) % 4], leaf.corners[(m + 2) % 4], leaf.corners[(m + 3) % 4]);
       const Point3d before = minus(at, out), now = minus(at, on);
       if (dot(now, now) < dot(before, before)) out = on;
     }

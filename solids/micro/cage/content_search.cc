@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "interval/upward.h"
+#include "robust/base/nearest_on_triangle.h"
 
 namespace veritope::internal {
 namespace {
@@ -75,38 +76,6 @@ double square_to_box(const Point3d& p, const Box3d& box) {
     sum += off * off;
   }
   return sum;
-}
-
-Point3d mixed(const Point3d& a, const Point3d& b, const Point3d& c, double v, double w) {
-  Point3d out;
-  for (std::size_t k = 0; k < 3; ++k) out[k] = a[k] + v * (b[k] - a[k]) + w * (c[k] - a[k]);
-  return out;
-}
-
-// The nearest point of a triangle, by the regions of its corners, sides and inside.
-Point3d approx_nearest_on(const Point3d& p, const Point3d& a, const Point3d& b, const Point3d& c) {
-  const auto minus = [](const Point3d& x, const Point3d& y) {
-    return Point3d{x[0] - y[0], x[1] - y[1], x[2] - y[2]};
-  };
-  const auto dot = [](const Point3d& x, const Point3d& y) {
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-  };
-  const Point3d ab = minus(b, a), ac = minus(c, a), ap = minus(p, a), bp = minus(p, b),
-                cp = minus(p, c);
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp),
-               d5 = dot(ab, cp), d6 = dot(ac, cp);
-  if (d1 <= 0 && d2 <= 0) return a;
-  if (d3 >= 0 && d4 <= d3) return b;
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return mixed(a, b, c, d1 / (d1 - d3), 0);
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return mixed(a, b, c, 0, d2 / (d2 - d6));
-  if (va <= 0 && d4 >= d3 && d5 >= d6) {
-    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return mixed(a, b, c, 1 - w, w);
-  }
-  const double sum = va + vb + vc;
-  return mixed(a, b, c, vb / sum, vc / sum);
 }
 
 }  // namespace
@@ -190,7 +159,7 @@ Point3d ContentSearch::approx_nearest(const Point3d& p) const {
   const auto visit = [&](std::uint32_t part) {
     const std::size_t n = hull(part).size();
     if (n == 3)
-      return take(approx_nearest_on(p, corner(part, 0), corner(part, 1), corner(part, 2)));
+      return take(approx_nearest_on_triangle(p, corner(part, 0), corner(part, 1), corner(part, 2)));
     for (std::size_t i = 0; i < n; ++i) take(corner(part, i));
   };
   // A few parts first, so that the search through the tree has a bound.

@@ -18,6 +18,7 @@ class PointValues {
       : stride_(model.num_components()),
         value_(points.size() * stride_),
         gradient_(3 * value_.size()) {
+    if (points.empty()) return;
     FastDmsOptions options;
     options.exact_first = 0;
     options.with_gradient = true;

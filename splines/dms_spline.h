@@ -102,7 +102,13 @@ void add_dms_terms(SimplexSplines<R, Answers>& splines, const DmsKnots& knots, i
         const std::array<R, 4>& lambda = splines.barycentric(frame);
         for (std::size_t m = 0; m < 4; ++m) {
           const std::span<const R> point = control(raised(gamma, m));
-          const R factor = basis * lambda[m], slope = degree * basis;
+          const R factor = basis * lambda[m];
+          if (sums.gradient.empty()) {
+            for (std::size_t c = 0; c < sums.value.size(); ++c)
+              sums.value[c] = sums.value[c] + factor * point[c];
+            continue;
+          }
+          const R slope = degree * basis;
           std::array<R, 3> along;
           for (std::size_t a = 0; a < 3; ++a) along[a] = slope * frame.lambda[m][a + 1];
           for (std::size_t c = 0; c < sums.value.size(); ++c) {
@@ -123,10 +129,12 @@ void add_dms_terms_of_degree_n(SimplexSplines<R, Answers>& splines, const DmsKno
       splines, knots, n,
       [&](const TetrahedralIndex& beta, const SimplexFrame<R>& frame, const R& basis) {
         const std::span<const R> point = control(beta);
+        for (std::size_t c = 0; c < sums.value.size(); ++c)
+          sums.value[c] = sums.value[c] + basis * point[c];
+        if (sums.gradient.empty()) return;
         std::array<R, 3> slope = splines.gradient(knots.up_to(beta));
         for (R& s : slope) s = s * frame.volume;
         for (std::size_t c = 0; c < sums.value.size(); ++c) {
-          sums.value[c] = sums.value[c] + basis * point[c];
           for (std::size_t a = 0; a < 3; ++a)
             sums.gradient[c][a] = sums.gradient[c][a] + slope[a] * point[c];
         }

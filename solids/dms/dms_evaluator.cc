@@ -179,17 +179,18 @@ void DmsEvaluator::drop_tables_if_many() {
   if (num_frames_ > kMaxKeptFrames) tables_.clear(), num_frames_ = 0;
 }
 
-DmsValue DmsEvaluator::evaluate(const DmsPlace& place) {
+// The components from the first one on, as many as `sums` has.
+void DmsEvaluator::add_terms(const DmsPlace& place, std::size_t first_component,
+                             DmsSums<Rational>& sums) {
   drop_tables_if_many();
   const ExactPoint3& u = place.path.start();
-  DmsSums<Rational> sums(model_.num_components());
   for (const std::uint32_t t : near(u)) {
     internal::DmsTable& frames = table(t);
     const std::size_t before = frames.num_frames();
     internal::DmsAnswers answers(frames, place.path);
     SimplexSplines<Rational, internal::DmsAnswers> splines(answers, u.at());
     const auto control = [&](const TetrahedralIndex& beta) {
-      return model_.value(control_of(model_, t, beta));
+      return model_.value(control_of(model_, t, beta)).subspan(first_component);
     };
     if (model_.control.is_separate) {
       add_dms_terms_of_degree_n(splines, frames.knots(), model_.degree, control, sums);
@@ -198,7 +199,19 @@ DmsValue DmsEvaluator::evaluate(const DmsPlace& place) {
     }
     num_frames_ += frames.num_frames() - before;
   }
+}
+
+DmsValue DmsEvaluator::evaluate(const DmsPlace& place) {
+  DmsSums<Rational> sums(model_.num_components());
+  add_terms(place, 0, sums);
   return {std::move(sums.value), std::move(sums.gradient)};
+}
+
+Rational DmsEvaluator::component(const DmsPlace& place, std::size_t number) {
+  DmsSums<Rational> sums(1);
+  sums.gradient.clear();
+  add_terms(place, number, sums);
+  return std::move(sums.value[0]);
 }
 
 std::vector<DmsEvaluator::Basis> DmsEvaluator::basis(std::uint32_t tetrahedron,

@@ -14,6 +14,7 @@
 #include "robust/base/box3d.h"
 #include "solids/base/box_hierarchy.h"
 #include "solids/dms/dms_model.h"
+#include "splines/dms_spline.h"
 
 namespace veritope {
 
@@ -46,6 +47,8 @@ class DmsEvaluator {
   /// model's form whose N_γ do not vanish: a model without defects (solids/dms/dms_defects.h).
   /// @cost each simplex spline of the tetrahedra whose knots' box contains the point, once
   DmsValue evaluate(const DmsPlace& place);
+  /// One component of the value, as evaluate() has it, without derivatives.
+  Rational component(const DmsPlace& place, std::size_t number);
 
   /// The tetrahedra whose knots' boxes contain the point, ascending: all others have no term there.
   std::vector<std::uint32_t> near(const ExactPoint3& point) const;
@@ -73,6 +76,7 @@ class DmsEvaluator {
   };
   std::vector<Basis> basis(std::uint32_t tetrahedron, const EntryPath& path, int sum);
   void drop_tables_if_many();
+  void add_terms(const DmsPlace& place, std::size_t first_component, DmsSums<Rational>& sums);
 
   const DmsModel& model_;
   std::vector<ExactPoint3> knots_;       // of all clouds

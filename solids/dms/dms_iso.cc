@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <memory>
 #include <queue>
+#include <set>
 #include <utility>
 
 #include "solids/dms/dms_evaluator.h"
@@ -30,13 +32,15 @@ class IsoSearch {
     narrow();
     if (extrema_first_) max_cells_ = std::min(max_cells_, 2 * cells_.num_alive + kFirstCells);
     prove();
+    prove_stars();
   }
   /// Why the cell is in doubt. REQUIRES run().
   std::optional<DmsIsoDoubt> doubt(std::uint32_t number) const {
     const IsoCell& cell = cells_.cells[number];
     if (!cell.is_alive || cell.off != 0) return std::nullopt;
-    if (cells_.has_zero(cell)) return DmsIsoDoubt::kVertex;
-    if (number >= is_proved_.size() || !is_proved_[number]) return DmsIsoDoubt::kOpen;
+    const bool is_proved = number < is_proved_.size() && is_proved_[number];
+    if (cells_.zeros(cell) != 0 && (!is_proved || has_singular(cell))) return DmsIsoDoubt::kVertex;
+    if (!is_proved) return DmsIsoDoubt::kOpen;
     return is_crossed(cell) && cells_.is_wide(cell) ? std::optional(DmsIsoDoubt::kWide)
                                                     : std::nullopt;
   }
@@ -48,6 +52,8 @@ class IsoSearch {
     });
   }
   static constexpr std::size_t kFirstCells = 4000;
+  static constexpr int kKnotRounds = 6;  // of so many rounds of a cell one looks for a cut at knots
+  static constexpr std::size_t kStarCuts = 40;  // on average at a vertex with g = c
   bool is_full() const { return cells_.num_alive >= max_cells_; }
   bool is_of_interest(std::uint32_t number) const {
     return cells_.cells[number].is_alive && cells_.cells[number].off == 0;
@@ -74,25 +80,78 @@ class IsoSearch {
   }
 
   // Cuts cells on which the rule is not proved, in the order in which they came; with `extrema_first` those last whose
-  // edges have no extremum.
+  // edges have no extremum. Goes on where it ended.
   void prove() {
     std::deque<std::uint32_t> later;
-    std::uint32_t next = 0;
-    while (next < cells_.cells.size() || !later.empty()) {
-      if (next < cells_.cells.size()) {
+    while (next_ < cells_.cells.size() || !later.empty()) {
+      if (next_ < cells_.cells.size()) {
         is_proved_.push_back(false);
-        if (!look_at(next, extrema_first_)) later.push_back(next);
-        ++next;
+        if (!look_at(next_, extrema_first_)) later.push_back(next_);
+        ++next_;
       } else {
         look_at(later.front(), false);
         later.pop_front();
       }
     }
   }
+  // Cuts cells at vertices with g = c until g grows in one direction around each. What is proved of a vertex stays so
+  // when cells are cut.
+  void prove_stars() {
+    std::deque<std::uint32_t> left;
+    std::uint32_t next = 0;
+    const auto collect = [&] {
+      for (; next < cells_.vertices.size(); ++next)
+        if (cells_.has_star(next)) left.push_back(next);
+    };
+    collect();
+    std::size_t cuts = kStarCuts * left.size();
+    for (; !left.empty(); collect()) {
+      const std::uint32_t v = left.front();
+      left.pop_front();
+      if (is_at_corner(v)) continue;
+      if (cells_.grows_around(v)) {
+        singular_.erase(v);
+        continue;
+      }
+      singular_.insert(v);
+      if (is_full() || cuts == 0) continue;
+      --cuts;
+      cells_.cut_star(v);
+      prove();
+      left.push_back(v);
+    }
+  }
+  // Whether no vector is parallel to all faces of the domain at a vertex with g = c.
+  bool is_at_corner(std::uint32_t vertex) {
+    const auto [found, is_new] = at_corner_.try_emplace(vertex);
+    if (is_new) found->second = cells_.parallel_at(vertex).empty();
+    if (found->second) singular_.insert(vertex);
+    return found->second;
+  }
+  bool has_singular(const IsoCell& cell) const {
+    return std::any_of(cell.corners.begin(), cell.corners.end(),
+                       [&](std::uint32_t v) { return singular_.contains(v); });
+  }
+  std::optional<DmsCorners> find_open(std::uint32_t number) const {
+    const IsoCell& cell = cells_.cells[number];
+    return cells_.rule().find_open(cell.form, cells_.zeros(cell));
+  }
+  // What is open after all has been used that is known without a cut.
+  std::optional<DmsCorners> find_open_with_shares(std::uint32_t number) {
+    auto open = find_open(number);
+    if (!open || cells_.cells[number].form.is_polynomial()) return open;
+    cells_.drop_far_supports(number);
+    open = find_open(number);
+    if (!open || cells_.cells[number].form.is_polynomial()) return open;
+    cells_.add_shares(number);
+    return find_open(number);
+  }
   // False if the cell waits for a cut that is not at an extremum.
   bool look_at(std::uint32_t number, bool only_extrema) {
-    if (!is_of_interest(number) || cells_.has_zero(cells_.cells[number])) return true;
-    auto open = cells_.rule().find_open(cells_.cells[number].form);
+    if (!is_of_interest(number)) return true;
+    for (const std::uint32_t v : cells_.cells[number].corners)
+      if (cells_.vertices[v].sign == 0 && is_at_corner(v)) return true;
+    auto open = find_open_with_shares(number);
     is_proved_[number] = !open;
     if (!open || is_full() || cells_.cells[number].rounds >= options_.max_rounds) return true;
     const auto choose = [&] {
@@ -107,10 +166,10 @@ class IsoSearch {
   }
   // Whether the cell was cut there. If it is found to have one polynomial, `open` is what is open then.
   bool cut_at_knots(std::uint32_t number, int round, std::optional<DmsCorners>& open) {
-    if (cells_.cells[number].form.is_polynomial || round % 2 == 0) return false;
+    if (cells_.cells[number].form.is_polynomial() || round % 2 == 0) return false;
     if (!cells_.cut_at_knots(number)) return false;
     if (!cells_.cells[number].is_alive) return true;
-    open = cells_.rule().find_open(cells_.cells[number].form);
+    open = find_open(number);
     if (!open) is_proved_[number] = true;
     return false;
   }
@@ -119,7 +178,10 @@ class IsoSearch {
   const DmsIsoOptions& options_;
   bool extrema_first_;
   std::size_t max_cells_;
+  std::uint32_t next_ = 0;
   std::vector<bool> is_proved_;
+  std::map<std::uint32_t, bool> at_corner_;
+  std::set<std::uint32_t> singular_;  // around these no direction of growth was found
 };
 
 void list_doubts(const IsoCells& cells, const IsoSearch& search, std::size_t max_listed,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/dms/dms_iso.h: the surface on which an attribute of a simplex-spline solid has a value, as triangles, with a
-// proof of its topology. Theory: docs/THEORY.md, DMS-1. Design: docs/design/0098-isosurfaces-of-simplex-splines.md.
+// proof of its topology. Theory: docs/THEORY.md, DMS-4. Design: docs/design/0098-isosurfaces-of-simplex-splines.md.
 #pragma once
 #include <array>
 #include <cstddef>

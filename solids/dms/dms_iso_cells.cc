@@ -29,7 +29,8 @@ IsoCells::IsoCells(const DmsModel& model, const DmsIsoOptions& options)
       knots_(model),
       evaluator_(model),
       interpolation_(model.degree, 4),
-      rule_(model.degree) {
+      rule_(model.degree),
+      local_(model, knots_, model.num_coordinates + options.attribute, options.level) {
   std::vector<bool> is_used(model.clouds.size());
   for (const TetrahedronCorners& t : model.tetrahedra)
     for (const std::uint32_t v : t) is_used[v] = true;
@@ -46,9 +47,11 @@ IsoCells::IsoCells(const DmsModel& model, const DmsIsoOptions& options)
   }
 }
 
-bool IsoCells::has_zero(const IsoCell& cell) const {
-  return std::any_of(cell.corners.begin(), cell.corners.end(),
-                     [&](std::uint32_t v) { return vertices[v].sign == 0; });
+DmsCorners IsoCells::zeros(const IsoCell& cell) const {
+  DmsCorners out = 0;
+  for (std::size_t m = 0; m < 4; ++m)
+    if (vertices[cell.corners[m]].sign == 0) out |= 1u << m;
+  return out;
 }
 
 double IsoCells::squared_length(std::uint32_t a, std::uint32_t b) const {
@@ -82,8 +85,7 @@ bool IsoCells::is_wide(const IsoCell& cell) const {
 Rational IsoCells::value_at(const DmsPoint& point) {
   const auto place = evaluator_.locate(point);
   VT_CHECK(place.has_value(), "points of cells are in the domain");
-  return evaluator_.evaluate(*place).value[model_.num_coordinates + options_.attribute] -
-         options_.level;
+  return evaluator_.component(*place, model_.num_coordinates + options_.attribute) - options_.level;
 }
 
 DmsPoint IsoCells::between(std::uint32_t a, std::uint32_t b, const Rational& t) const {
@@ -107,36 +109,8 @@ DmsRegion IsoCells::region(const IsoCell& cell) const {
   return {knots_, {corners.begin(), corners.end()}, planes};
 }
 
-const IsoCells::LinearTerm& IsoCells::term(const DmsSupport& support) {
-  const std::uint64_t key =
-      support.tetrahedron * knots_.gammas().size() + tetrahedral_index(support.gamma);
-  const auto found = terms_.find(key);
-  if (found != terms_.end()) return found->second;
-  std::array<DmsPoint, 4> places, values;
-  const TetrahedronCorners& t = model_.tetrahedra[support.tetrahedron];
-  for (std::size_t m = 0; m < 4; ++m) {
-    places[m] = model_.knot(t[m], support.gamma[m]);
-    const std::size_t c = control_of(model_, support.tetrahedron, raised(support.gamma, m));
-    values[m][0] = model_.value(c)[model_.num_coordinates + options_.attribute] - options_.level;
-  }
-  const DmsMatrix linear = linear_part(places, values);
-  return terms_.emplace(key, LinearTerm{{linear[0], linear[1], linear[2]}, places[0], values[0][0]})
-      .first->second;
-}
-
-// Clouds that are collapsed near the tetrahedron leave one polynomial there.
 DmsIsoForm IsoCells::first_form(const IsoCell& cell) {
-  DmsRegion near = region(cell);
-  DmsIsoForm form;
-  form.supports = near.supports();
-  if (!near.find_cut(form.supports)) return polynomial_on(cell);
-  for (const DmsSupport& support : form.supports) {
-    const LinearTerm& f = term(support);
-    for (const std::uint32_t v : cell.corners)
-      form.numbers.push_back(
-          enclose(f.value + dot_product(f.gradient, difference(vertices[v].at, f.origin))));
-  }
-  return form;
+  return local_.form(cell.tetrahedron, region(cell).supports());
 }
 
 DmsIsoForm IsoCells::polynomial_on(const IsoCell& cell) {
@@ -144,34 +118,75 @@ DmsIsoForm IsoCells::polynomial_on(const IsoCell& cell) {
   std::vector<DmsPoint> values;
   for (const DmsPoint& p : interpolation_.points(corners))
     values.push_back({value_at(p), Rational(), Rational()});
-  DmsIsoForm form{true, {}, {}};
+  DmsIsoForm form;
   for (const DmsPoint& b : interpolation_.coefficients(values))
-    form.numbers.push_back(enclose(b[0]));
+    form.coefficients.push_back(enclose(b[0]));
   return form;
 }
 
-void IsoCells::drop_far_supports(IsoCell& cell) const {
-  DmsIsoForm& form = cell.form;
-  DmsRegion near = region(cell);
-  DmsIsoForm kept;
+void IsoCells::drop_far_supports(std::uint32_t number) {
+  DmsIsoForm& form = cells[number].form;
+  DmsRegion near = region(cells[number]);
+  std::size_t kept = 0;
   for (std::size_t s = 0; s < form.supports.size(); ++s) {
     if (near.misses(knots_.knots(form.supports[s]))) continue;
-    kept.supports.push_back(form.supports[s]);
-    for (std::size_t m = 0; m < 4; ++m) kept.numbers.push_back(form.numbers[4 * s + m]);
+    form.supports[kept] = form.supports[s];
+    for (std::size_t m = 0; m < 4; ++m) {
+      form.rests[4 * kept + m] = form.rests[4 * s + m];
+      form.shares[4 * kept + m] = form.shares[4 * s + m];
+    }
+    ++kept;
   }
-  form = std::move(kept);
+  form.supports.resize(kept);
+  form.rests.resize(4 * kept);
+  form.shares.resize(4 * kept);
+  if (std::all_of(form.rests.begin(), form.rests.end(),
+                  [](const Interval& x) { return x.lo() == 0 && x.hi() == 0; }))
+    form.supports.clear(), form.rests.clear(), form.shares.clear();
+}
+
+std::uint64_t IsoCells::key_of(const DmsSupport& support) const {
+  return support.tetrahedron * knots_.gammas().size() + tetrahedral_index(support.gamma);
+}
+
+// Lower bounds of the limits of all N_γ that are not 0, from inside of the tetrahedron: N_γ jumps only at faces.
+IsoCells::Shares IsoCells::shares_at(const DmsPoint& point, std::uint32_t tetrahedron) {
+  DmsPoint middle;
+  for (const DmsPoint& p : knots_.corners(tetrahedron))
+    for (std::size_t c = 0; c < 3; ++c) middle[c] += p[c] / Rational(4);
+  const DmsPlace place{tetrahedron, EntryPath::inward(ExactPoint3(point), ExactPoint3(middle))};
+  Shares out;
+  evaluator_.for_each_basis(
+      place, model_.degree - 1,
+      [&](std::uint32_t t, const TetrahedralIndex& gamma, const Rational& value) {
+        out.emplace(key_of({t, gamma}), std::max(0.0, round_down(value)));
+      });
+  return out;
+}
+
+void IsoCells::set_shares(DmsIsoForm& form, std::size_t corner, const Shares& shares) const {
+  for (std::size_t s = 0; s < form.supports.size(); ++s) {
+    const auto found = shares.find(key_of(form.supports[s]));
+    form.shares[4 * s + corner] = found == shares.end() ? 0 : found->second;
+  }
+}
+
+void IsoCells::add_shares(std::uint32_t number) {
+  IsoCell& cell = cells[number];
+  if (cell.has_shares || cell.form.is_polynomial()) return;
+  cell.has_shares = true;
+  for (std::size_t m = 0; m < 4; ++m)
+    set_shares(cell.form, m, shares_at(vertices[cell.corners[m]].at, cell.tetrahedron));
 }
 
 void IsoCells::add_cell(IsoCell cell) {
-  if (cell.off == 0) {
-    if (!cell.form.is_polynomial && cells.size() >= model_.tetrahedra.size())
-      drop_far_supports(cell);
-    cell.off = rule_.sign_on(cell.form, kAllCorners);
-    if (cell.off != 0) cell.form = {};
-  }
+  if (cell.off == 0) cell.off = rule_.sign_on(cell.form, kAllCorners);
+  if (cell.off != 0) cell.form = {};
   const auto number = static_cast<std::uint32_t>(cells.size());
   for (const auto& [i, j] : kDmsEdges)
     at_edge_[edge_key(cell.corners[i], cell.corners[j])].push_back(number);
+  for (const std::uint32_t v : cell.corners)
+    if (vertices[v].sign == 0) at_zero_[v].push_back(number);
   cells.push_back(std::move(cell));
   ++num_alive;
 }
@@ -191,6 +206,8 @@ bool IsoCells::cut_at(std::uint32_t a, std::uint32_t b, const Rational& t, bool 
     std::pair<DmsIsoForm, DmsIsoForm> forms;
   };
   std::vector<Parts> parts;
+  std::unordered_map<std::uint32_t, Shares> shares;  // of each tetrahedron
+  DmsPoint at = between(a, b, t);
   int sign = 0;
   for (const std::uint32_t c : around(a, b)) {
     const IsoCell& cell = cells[c];
@@ -204,12 +221,17 @@ bool IsoCells::cut_at(std::uint32_t a, std::uint32_t b, const Rational& t, bool 
         continue;
       }
       part.forms = rule_.cut(cell.form, e, is_forward ? t : Rational(1) - t);
-      const Sign3 s = DmsIsoRule::at_corner(part.forms.first, j).sign();
+      if (cell.has_shares && !cell.form.is_polynomial()) {
+        const auto [found, is_new] = shares.try_emplace(cell.tetrahedron);
+        if (is_new) found->second = shares_at(at, cell.tetrahedron);
+        set_shares(part.forms.first, j, found->second);
+        set_shares(part.forms.second, i, found->second);
+      }
+      const Sign3 s = rule_.at_corner(part.forms.first, j).sign();
       if (sign == 0 && s == Sign3::kPositive) sign = 1;
       if (sign == 0 && s == Sign3::kNegative) sign = -1;
     }
   }
-  DmsPoint at = between(a, b, t);
   if (sign == 0) sign = sign_as_int(value_at(at));
   if (sign == 0 && !may_be_zero) return false;
   const auto middle = static_cast<std::uint32_t>(vertices.size());
@@ -217,7 +239,7 @@ bool IsoCells::cut_at(std::uint32_t a, std::uint32_t b, const Rational& t, bool 
   for (Parts& part : parts) {
     const auto [i, j] = kDmsEdges[part.edge];
     IsoCell first = std::move(cells[part.cell]);
-    cells[part.cell] = {first.corners, first.tetrahedron, false, 0, 0, {}};
+    cells[part.cell] = {first.corners, first.tetrahedron, false, 0, 0, false, {}};
     --num_alive;
     IsoCell second = first;
     first.corners[j] = middle;
@@ -241,7 +263,7 @@ void IsoCells::cut(std::uint32_t cell, std::size_t edge, const Rational& place) 
 }
 
 bool IsoCells::cut_at_knots(std::uint32_t number) {
-  if (cells[number].form.is_polynomial) return false;
+  if (cells[number].form.is_polynomial()) return false;
   DmsRegion near = region(cells[number]);
   const auto three = near.find_cut(cells[number].form.supports);
   if (!three) {

@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "solids/dms/dms_evaluator.h"
 #include "solids/dms/dms_iso.h"
 #include "solids/dms/dms_iso_form.h"
+#include "solids/dms/dms_iso_local.h"
 #include "solids/dms/dms_region.h"
 #include "solids/dms/dms_values.h"
 
@@ -28,7 +30,8 @@ struct IsoCell {
   std::uint32_t tetrahedron = 0;
   bool is_alive = true;
   int off = 0;  ///< the sign of g - c on the whole cell, if that is proved; then there is no form
-  int rounds = 0;  ///< cuts for the proof's sake
+  int rounds = 0;           ///< cuts for the proof's sake
+  bool has_shares = false;  ///< those of the form are known
   DmsIsoForm form;
 };
 
@@ -41,7 +44,19 @@ class IsoCells {
   std::size_t num_alive = 0;
 
   const DmsIsoRule& rule() const { return rule_; }
-  bool has_zero(const IsoCell& cell) const;
+  /// The corners at which g = c.
+  DmsCorners zeros(const IsoCell& cell) const;
+  /// Whether g grows on all cells at the vertex along one vector, which is parallel to the faces of the domain there.
+  /// REQUIRES a vertex at which g = c.
+  bool grows_around(std::uint32_t vertex) const;
+  /// Vectors, linearly independent, that span those which are parallel to all faces of the domain at such a vertex.
+  std::vector<DmsPoint> parallel_at(std::uint32_t vertex) const;
+  /// Whether g = c at the vertex, and cells have it.
+  bool has_star(std::uint32_t vertex) const { return at_zero_.contains(vertex); }
+  /// The living cells at such a vertex.
+  std::vector<std::uint32_t> star(std::uint32_t vertex) const;
+  /// Cuts an edge at such a vertex, where the derivative varies most.
+  void cut_star(std::uint32_t vertex);
   std::size_t longest_edge(const IsoCell& cell) const;
   double squared_length(std::uint32_t a, std::uint32_t b) const;
   /// Whether the cell has an edge longer than `within`. Exact.
@@ -52,24 +67,26 @@ class IsoCells {
 
   /// Cuts all cells at an edge of a cell, at the place, or if g is c there, at one of a few near the middle.
   void cut(std::uint32_t cell, std::size_t edge, const Rational& place);
+  /// Forgets supports whose knots do not reach into the cell.
+  void drop_far_supports(std::uint32_t cell);
+  /// Finds the shares of the cell's form.
+  void add_shares(std::uint32_t cell);
   /// Cuts the cell at the plane of three knots that reach into it; where no three do, the form becomes a polynomial.
   /// False if nothing was done, and for a polynomial.
   bool cut_at_knots(std::uint32_t cell);
   std::vector<std::uint32_t> around(std::uint32_t a, std::uint32_t b) const;
 
  private:
-  struct LinearTerm {
-    DmsPoint gradient, origin;
-    Rational value;
-  };
-  const LinearTerm& term(const DmsSupport& support);
   std::array<DmsPoint, 4> points(const IsoCell& cell) const;
   DmsRegion region(const IsoCell& cell) const;
   DmsIsoForm first_form(const IsoCell& cell);
   DmsIsoForm polynomial_on(const IsoCell& cell);
   void add_cell(IsoCell cell);
+  using Shares = std::unordered_map<std::uint64_t, double>;
+  std::uint64_t key_of(const DmsSupport& support) const;
+  Shares shares_at(const DmsPoint& point, std::uint32_t tetrahedron);
+  void set_shares(DmsIsoForm& form, std::size_t corner, const Shares& shares) const;
   bool cut_at(std::uint32_t a, std::uint32_t b, const Rational& t, bool may_be_zero);
-  void drop_far_supports(IsoCell& cell) const;
 
   const DmsModel& model_;
   const DmsIsoOptions& options_;
@@ -77,8 +94,9 @@ class IsoCells {
   DmsEvaluator evaluator_;
   SimplexInterpolation interpolation_;
   DmsIsoRule rule_;
-  std::unordered_map<std::uint64_t, LinearTerm> terms_;
+  DmsIsoLocal local_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> at_edge_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> at_zero_;
 };
 
 }  // namespace veritope::internal

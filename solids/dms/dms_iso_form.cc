@@ -2,7 +2,9 @@
 #include "solids/dms/dms_iso_form.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 #include "interval/upward.h"
 
@@ -18,20 +20,17 @@ int sign_as_int(const Interval& x) {
 }
 double middle_of(const Interval& x) { return x.lo() / 2 + x.hi() / 2; }
 
-// The derivatives of a term along the edges from the first corner.
-using Slope = std::array<Interval, 3>;
-using Direction = std::array<double, 3>;
+using Slope = DmsIsoSlopes::Slope;
+using Direction = DmsIsoSlopes::Direction;
 
 double product(const Direction& a, const Direction& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-// Whether all terms grow along the direction. Under a live ScopedUpward.
-bool all_grow(const std::vector<Slope>& slopes, const Direction& e) {
-  return std::all_of(slopes.begin(), slopes.end(), [&](const Slope& s) {
-    const Interval along = s[0] * Interval(e[0]) + s[1] * Interval(e[1]) + s[2] * Interval(e[2]);
-    return along.sign() == Sign3::kPositive;
-  });
+double length_of(const Direction& a) { return std::sqrt(product(a, a)); }
+Interval along(const Slope& s, const Direction& e) {
+  return s[0] * Interval(e[0]) + s[1] * Interval(e[1]) + s[2] * Interval(e[2]);
 }
+Direction middle_of(const Slope& s) { return {middle_of(s[0]), middle_of(s[1]), middle_of(s[2])}; }
 // A polynomial's value by its Bernstein coefficients.
 double bernstein_value(std::vector<double> b, double t) {
   for (std::size_t left = b.size() - 1; left > 0; --left)
@@ -57,76 +56,159 @@ Rational few_bits(double t) {
   return t < 0.5 ? distance : Rational(1) - distance;
 }
 
-// A direction along which all terms grow: the mean of their directions, turned to the one that is most against it.
-// Nothing is proved here.
-std::optional<Direction> guess_direction(const std::vector<Slope>& slopes) {
-  std::vector<Direction> units;
-  Direction e{};
-  for (const Slope& slope : slopes) {
-    Direction unit{middle_of(slope[0]), middle_of(slope[1]), middle_of(slope[2])};
-    const double length = std::sqrt(product(unit, unit));
-    if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
-    for (std::size_t k = 0; k < 3; ++k) e[k] += unit[k] /= length;
-    units.push_back(unit);
+}  // namespace
+
+// What the rests add on a simplex. N_γ is at least the least of its limits at the corners (DMS-4.L2). So the sum is
+// `sure`, an affine function, and `open` times a value in the hull of zero and the rests.
+struct DmsIsoRule::Mixture {
+  std::array<Interval, 4> sure{};  // at the corners of the cell
+  double open = 0;
+};
+
+// Under a live ScopedUpward.
+DmsIsoRule::Mixture DmsIsoRule::mixture(const DmsIsoForm& form, DmsCorners corners) {
+  Mixture out;
+  Interval sum(0.0);
+  for (std::size_t s = 0; s < form.supports.size(); ++s) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t m = 0; m < 4; ++m)
+      if ((corners >> m & 1) != 0) least = std::min(least, form.shares[4 * s + m]);
+    if (!(least > 0)) continue;
+    const Interval share(least);
+    sum = sum + share;
+    for (std::size_t m = 0; m < 4; ++m) out.sure[m] = out.sure[m] + form.rests[4 * s + m] * share;
   }
-  for (double& x : e) x /= static_cast<double>(units.size());
+  if (!form.supports.empty()) out.open = std::max(0.0, (Interval(1.0) - sum).hi());
+  return out;
+}
+
+Interval DmsIsoSlopes::range(std::size_t k) const {
+  const auto hull = [k](Interval x, const std::vector<Slope>& all) {
+    for (const Slope& s : all)
+      x = Interval::from_bounds(std::min(x.lo(), s[k].lo()), std::max(x.hi(), s[k].hi()));
+    return x;
+  };
+  return hull(polynomial.front()[k], polynomial) + hull(Interval(0.0), rests);
+}
+
+std::optional<Direction> DmsIsoSlopes::guess_direction(bool may_be_zero) const {
+  std::vector<Direction> steps, moves;
+  Direction e{};
+  for (const Slope& slope : polynomial) {
+    const Direction step = middle_of(slope);
+    const double length = length_of(step);
+    if (may_be_zero && length == 0) continue;
+    if (!std::isfinite(length) || (rests.empty() && !(length > 0))) return std::nullopt;
+    steps.push_back(step);
+    for (std::size_t k = 0; k < 3 && length > 0; ++k) e[k] += step[k] / length;
+  }
+  if (steps.empty()) return std::nullopt;
+  for (const Slope& slope : rests) moves.push_back(middle_of(slope));
+  for (double& x : e) x /= static_cast<double>(steps.size());
   for (int turn = 0; turn < kTurns; ++turn) {
-    const auto worst = std::min_element(
-        units.begin(), units.end(),
-        [&](const Direction& a, const Direction& b) { return product(a, e) < product(b, e); });
-    if (product(*worst, e) > 0.01 * std::sqrt(product(e, e))) return e;
-    for (std::size_t k = 0; k < 3; ++k) e[k] += 0.5 * (*worst)[k];
+    Direction against{};  // the rest that is most against it
+    for (const Direction& move : moves)
+      if (product(move, e) < product(against, e)) against = move;
+    Direction worst{};
+    double least = std::numeric_limits<double>::infinity();  // of cosines, times |e|
+    for (const Direction& step : steps) {
+      Direction unit{step[0] + against[0], step[1] + against[1], step[2] + against[2]};
+      const double length = length_of(unit);
+      if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
+      for (double& x : unit) x /= length;
+      const double cosine = product(unit, e);
+      if (cosine < least) least = cosine, worst = unit;
+    }
+    if (least > 0.01 * length_of(e)) return e;
+    for (std::size_t k = 0; k < 3; ++k) e[k] += 0.5 * worst[k];
   }
   return e;
 }
 
-}  // namespace
-
-DmsIsoRule::DmsIsoRule(int degree) : degree_(degree) {
-  for_each_tetrahedral_index(degree - 1, [&](const TetrahedralIndex& gamma) {
-    std::array<std::size_t, 4> places{};
-    DmsCorners used = 0;
-    for (std::size_t m = 0; m < 4; ++m) {
-      places[m] = tetrahedral_index(raised(gamma, m));
-      if (gamma[m] > 0) used |= 1u << m;
-    }
-    raised_.push_back(places);
-    used_.push_back(used);
+bool DmsIsoSlopes::all_grow_along(const Direction& e, bool may_be_zero) const {
+  Interval least(0.0);
+  for (const Slope& slope : rests) {
+    const Interval x = along(slope, e);
+    if (!(x.lo() >= least.lo())) least = x;
+  }
+  return std::all_of(polynomial.begin(), polynomial.end(), [&](const Slope& slope) {
+    const double low = (along(slope, e) + least).lo();
+    return may_be_zero ? low >= 0 : low > 0;
   });
 }
 
-// The terms that count on the simplex: those of a polynomial on a face are of its corners alone.
-std::vector<DmsIsoRule::Row> DmsIsoRule::rows(const DmsIsoForm& form, DmsCorners corners) const {
-  std::vector<Row> out;
-  const std::size_t count = form.is_polynomial ? raised_.size() : form.supports.size();
-  for (std::size_t r = 0; r < count; ++r) {
-    if (form.is_polynomial && (used_[r] & ~corners) != 0) continue;
-    Row& row = out.emplace_back();
+DmsIsoRule::DmsIsoRule(int degree) : degree_(degree) {
+  const auto corners_of = [](const TetrahedralIndex& index) {
+    DmsCorners used = 0;
     for (std::size_t m = 0; m < 4; ++m)
-      row[m] = &form.numbers[form.is_polynomial ? raised_[r][m] : 4 * r + m];
+      if (index[m] > 0) used |= 1u << m;
+    return used;
+  };
+  for_each_tetrahedral_index(degree - 1, [&](const TetrahedralIndex& gamma) {
+    std::array<std::size_t, 4> places{};
+    for (std::size_t m = 0; m < 4; ++m) places[m] = tetrahedral_index(raised(gamma, m));
+    raised_.push_back(places);
+    used_.push_back(corners_of(gamma));
+  });
+  for_each_tetrahedral_index(
+      degree, [&](const TetrahedralIndex& beta) { with_.push_back(corners_of(beta)); });
+}
+
+// Those that count on the simplex: a polynomial's on a face are of its corners alone.
+DmsIsoSlopes DmsIsoRule::slopes(const DmsIsoForm& form, DmsCorners corners,
+                                std::size_t first) const {
+  std::vector<std::size_t> chosen{first};
+  for (std::size_t m = 0; m < 4; ++m)
+    if (m != first && (corners >> m & 1) != 0) chosen.push_back(m);
+  const Mixture mix = mixture(form, corners);
+  DmsIsoSlopes out;
+  out.size = chosen.size() - 1;
+  for (std::size_t r = 0; r < raised_.size(); ++r) {
+    if ((used_[r] & ~corners) != 0) continue;
+    Slope& slope = out.polynomial.emplace_back();
+    for (std::size_t k = 1; k < chosen.size(); ++k) {
+      const std::size_t i = chosen[0], j = chosen[k];
+      slope[k - 1] = form.coefficients[raised_[r][j]] - form.coefficients[raised_[r][i]];
+      if (!form.is_polynomial()) slope[k - 1] = slope[k - 1] + (mix.sure[j] - mix.sure[i]);
+    }
+  }
+  for (std::size_t s = 0; s < form.supports.size() && mix.open > 0; ++s) {
+    Slope& slope = out.rests.emplace_back();
+    for (std::size_t k = 1; k < chosen.size(); ++k)
+      slope[k - 1] = Interval::nonnegative_multiple(
+          form.rests[4 * s + chosen[k]] - form.rests[4 * s + chosen[0]], Interval(mix.open));
   }
   return out;
 }
 
-Interval DmsIsoRule::at_corner(const DmsIsoForm& form, std::size_t corner) {
-  if (form.is_polynomial) {
-    // x^n of the corner: the last index of its row.
-    const std::size_t last = form.numbers.size() - 1;
-    if (corner == 0) return form.numbers[0];
-    if (corner == 3) return form.numbers[last];
-    int n = 1;
-    while (num_tetrahedral_indices(n) < form.numbers.size()) ++n;
-    TetrahedralIndex index{};
-    index[corner] = n;
-    return form.numbers[tetrahedral_index(index)];
+Interval DmsIsoRule::at_corner(const DmsIsoForm& form, std::size_t corner) const {
+  TetrahedralIndex index{};
+  index[corner] = degree_;
+  const ScopedUpward upward;
+  const Interval& value = form.coefficients[tetrahedral_index(index)];
+  return form.is_polynomial() ? value : value + rest_on(form, 1u << corner);
+}
+
+// Bounds the sum of all N_γ r_γ on the simplex.
+Interval DmsIsoRule::rest_on(const DmsIsoForm& form, DmsCorners corners) {
+  const Mixture mix = mixture(form, corners);
+  double low = 0, high = 0;
+  for (std::size_t r = 0; r < form.rests.size(); ++r) {
+    if ((corners >> (r % 4) & 1) == 0) continue;
+    low = std::min(low, form.rests[r].lo());
+    high = std::max(high, form.rests[r].hi());
   }
-  Interval hull = Interval::empty();
-  for (std::size_t s = 0; s < form.supports.size(); ++s) {
-    const Interval& x = form.numbers[4 * s + corner];
-    hull = s == 0 ? x
-                  : Interval::from_bounds(std::min(hull.lo(), x.lo()), std::max(hull.hi(), x.hi()));
+  const Interval open =
+      Interval::nonnegative_multiple(Interval::from_bounds(low, high), Interval(mix.open));
+  Interval sure = Interval::empty();
+  for (std::size_t m = 0; m < 4; ++m) {
+    if ((corners >> m & 1) == 0) continue;
+    const Interval& x = mix.sure[m];
+    sure = sure.is_empty()
+               ? x
+               : Interval::from_bounds(std::min(sure.lo(), x.lo()), std::max(sure.hi(), x.hi()));
   }
-  return hull;
+  return sure + open;
 }
 
 std::vector<Interval> DmsIsoRule::along_edge(const DmsIsoForm& form, std::size_t edge) const {
@@ -135,60 +217,98 @@ std::vector<Interval> DmsIsoRule::along_edge(const DmsIsoForm& form, std::size_t
     TetrahedralIndex index{};
     index[kDmsEdges[edge][0]] = degree_ - k;
     index[kDmsEdges[edge][1]] = k;
-    out.push_back(form.numbers[tetrahedral_index(index)]);
+    out.push_back(form.coefficients[tetrahedral_index(index)]);
   }
   return out;
 }
 
-int DmsIsoRule::sign_on(const DmsIsoForm& form, DmsCorners corners) const {
+int DmsIsoRule::sign_on(const DmsIsoForm& form, DmsCorners corners, DmsCorners zeros) const {
+  const ScopedUpward upward;
+  const Interval rest = form.is_polynomial() ? Interval(0.0) : rest_on(form, corners);
   int sign = 0;
-  for (const Row& row : rows(form, corners))
-    for (std::size_t m = 0; m < 4; ++m) {
-      if ((corners >> m & 1) == 0) continue;
-      const int s = sign_as_int(*row[m]);
-      if (s == 0 || s * sign < 0) return 0;
-      sign = s;
-    }
+  for (std::size_t b = 0; b < form.coefficients.size(); ++b) {
+    if ((with_[b] & ~corners) != 0) continue;
+    const Interval x = form.coefficients[b] + rest;
+    const int s = (zeros & corners) != 0 && x.lo() >= 0 ? 1 : sign_as_int(x);
+    if (s == 0 || s * sign < 0) return 0;
+    sign = s;
+  }
   return sign;
 }
 
-bool DmsIsoRule::is_monotone_on(const DmsIsoForm& form, DmsCorners corners) const {
+// By the value at a corner and the slopes from there to the others: tighter than hulls of values where the N_γ of rests
+// far from 0 are not known to be small.
+int DmsIsoRule::sign_by_slopes(const DmsIsoForm& form, DmsCorners corners) const {
   const ScopedUpward upward;
-  std::vector<std::size_t> chosen;
-  for (std::size_t m = 0; m < 4; ++m)
-    if ((corners >> m & 1) != 0) chosen.push_back(m);
-  std::vector<Slope> slopes;
-  for (const Row& row : rows(form, corners)) {
-    Slope slope;
-    for (std::size_t k = 1; k < chosen.size(); ++k)
-      slope[k - 1] = *row[chosen[k]] - *row[chosen[0]];
-    slopes.push_back(slope);
+  for (std::size_t m = 0; m < 4; ++m) {
+    if ((corners >> m & 1) == 0) continue;
+    const Interval value = at_corner(form, m);
+    const DmsIsoSlopes from_m = slopes(form, corners, m);
+    double low = 0, high = 0;
+    for (std::size_t k = 0; k < from_m.size; ++k) {
+      const Interval x = from_m.range(k);
+      low = std::min(low, x.lo());
+      high = std::max(high, x.hi());
+    }
+    const int sign = sign_as_int(value + Interval::from_bounds(low, high));
+    if (sign != 0) return sign;
   }
-  if (slopes.empty()) return false;
-  const auto e = guess_direction(slopes);
-  return e && all_grow(slopes, *e);
+  return 0;
 }
 
-std::optional<DmsCorners> DmsIsoRule::find_open(const DmsIsoForm& form) const {
+bool DmsIsoRule::is_monotone_on(const DmsIsoForm& form, DmsCorners corners,
+                                DmsCorners zeros) const {
+  const ScopedUpward upward;
+  const auto first = static_cast<std::size_t>(std::countr_zero(corners));
+  DmsIsoSlopes all = slopes(form, corners, first);
+  const auto e = all.guess_direction();
+  if (e && all.all_grow_along(*e)) return true;
+  if ((zeros & corners) == 0) return false;
+  Slope grows{};  // the sum of the coordinates of zeros
+  for (std::size_t m = first + 1, k = 0; m < 4; ++m)
+    if ((corners >> m & 1) != 0)
+      grows[k++] = Interval(static_cast<double>(zeros >> m & 1) - (zeros >> first & 1));
+  all.polynomial.push_back(grows);
+  const auto weak = all.guess_direction(true);
+  return weak && all.all_grow_along(*weak, true) && along(grows, *weak).lo() > 0;
+}
+
+std::optional<DmsCorners> DmsIsoRule::find_open(const DmsIsoForm& form, DmsCorners zeros) const {
   for (const DmsCorners simplex : kSimplices)
-    if (sign_on(form, simplex) == 0 && !is_monotone_on(form, simplex)) return simplex;
+    if (sign_on(form, simplex, zeros) == 0 && !is_monotone_on(form, simplex, zeros) &&
+        (form.is_polynomial() || sign_by_slopes(form, simplex) == 0))
+      return simplex;
   return std::nullopt;
 }
 
 std::size_t DmsIsoRule::widest_edge(const DmsIsoForm& form, DmsCorners corners) const {
   std::size_t found = 0;
   double most = -1;
-  const std::vector<Row> all = rows(form, corners);
+  const ScopedUpward upward;
   for (std::size_t e = 0; e < kDmsEdges.size(); ++e) {
     const auto [i, j] = kDmsEdges[e];
     if ((corners >> i & 1) == 0 || (corners >> j & 1) == 0) continue;
     double low = 0, high = 0;
-    for (std::size_t r = 0; r < all.size(); ++r) {
-      const double slope = middle_of(*all[r][j]) - middle_of(*all[r][i]);
-      low = r == 0 ? slope : std::min(low, slope);
-      high = r == 0 ? slope : std::max(high, slope);
+    bool is_first = true;
+    for (std::size_t r = 0; r < raised_.size(); ++r) {
+      if ((used_[r] & ~corners) != 0) continue;
+      const double slope =
+          middle_of(form.coefficients[raised_[r][j]]) - middle_of(form.coefficients[raised_[r][i]]);
+      low = is_first ? slope : std::min(low, slope);
+      high = is_first ? slope : std::max(high, slope);
+      is_first = false;
     }
-    if (high - low > most) most = high - low, found = e;
+    // How much the N_γ change along the edge, times how much their r_γ do in the cell.
+    double rest = 0;
+    for (std::size_t s = 0; s < form.supports.size(); ++s) {
+      const Interval* r = &form.rests[4 * s];
+      double change = 0;
+      for (std::size_t m = 1; m < 4; ++m)
+        change = std::max(change, std::abs(middle_of(r[m]) - middle_of(r[0])));
+      rest += change * std::abs(form.shares[4 * s + i] - form.shares[4 * s + j]);
+    }
+    const double varies = high - low + rest;
+    if (varies > most) most = varies, found = e;
   }
   return found;
 }
@@ -200,7 +320,7 @@ DmsIsoCut DmsIsoRule::cut_of_edge(const DmsIsoForm& form, std::size_t edge,
                                   bool extrema_first) const {
   constexpr double kMuchFarther = 64, kNearEnd = 1.0 / 16, kNearLevel = 1.0 / 4, kFlat = 1.0 / 16;
   const DmsIsoCut middle{edge, Rational(1) / Rational(2), false};
-  if (!form.is_polynomial || degree_ < 2) return middle;
+  if (!form.is_polynomial() || degree_ < 2) return middle;
   std::vector<double> values, slopes;
   for (const Interval& x : along_edge(form, edge)) values.push_back(middle_of(x));
   for (std::size_t k = 0; k + 1 < values.size(); ++k) slopes.push_back(values[k + 1] - values[k]);
@@ -242,12 +362,10 @@ std::pair<DmsIsoForm, DmsIsoForm> DmsIsoRule::cut(const DmsIsoForm& form, std::s
     return Interval::nonnegative_multiple(a, near) + Interval::nonnegative_multiple(b, far);
   };
   DmsIsoForm first = form, second = form;
-  if (!form.is_polynomial) {
-    for (std::size_t s = 0; s < form.supports.size(); ++s)
-      first.numbers[4 * s + j] = second.numbers[4 * s + i] =
-          mix(form.numbers[4 * s + i], form.numbers[4 * s + j]);
-    return {std::move(first), std::move(second)};
-  }
+  for (std::size_t s = 0; s < form.supports.size(); ++s)
+    first.rests[4 * s + j] = second.rests[4 * s + i] =
+        mix(form.rests[4 * s + i], form.rests[4 * s + j]),
+                        first.shares[4 * s + j] = second.shares[4 * s + i] = 0;
   for_each_tetrahedral_index(degree_, [&](const TetrahedralIndex& start) {
     if (start[j] != 0) return;
     // de Casteljau along the coefficients (r, 0), (r - 1, 1), ..., (0, r) of the two corners.
@@ -259,11 +377,11 @@ std::pair<DmsIsoForm, DmsIsoForm> DmsIsoRule::cut(const DmsIsoForm& form, std::s
       index[i] = r - s;
       index[j] = s;
       places.push_back(tetrahedral_index(index));
-      b.push_back(form.numbers[places.back()]);
+      b.push_back(form.coefficients[places.back()]);
     }
     for (std::size_t step = 0; step < places.size(); ++step) {
-      first.numbers[places[step]] = b[0];
-      second.numbers[places[places.size() - 1 - step]] = b[places.size() - 1 - step];
+      first.coefficients[places[step]] = b[0];
+      second.coefficients[places[places.size() - 1 - step]] = b[places.size() - 1 - step];
       for (std::size_t s = 0; s + step + 1 < places.size(); ++s) b[s] = mix(b[s], b[s + 1]);
     }
   });

@@ -229,10 +229,15 @@ class Surface(DmsPicture):
 
     def test_a_level_that_is_not_certified_is_drawn_with_status_3(self):
         self.bent()
-        done = run("render", "bent.vdms", "-o", "v.png", "--mode", "iso", "--attribute", "density", "--level", 2, "--size", "64,64", cwd=self.folder)
+        done = run("render", "bent.vdms", "-o", "v.png", "--mode", "iso", "--attribute", "density", "--level", 1, "--size", "64,64", cwd=self.folder)
         self.assertEqual(done.returncode, 3, done)
         self.assertIn("the topology of the surface is not certified", re.sub(r"\s+", " ", done.stderr))
         self.assertTrue((self.folder / "v.png").exists())
+
+    def test_a_level_that_is_nowhere_leaves_the_boundary(self):
+        report, _, _, rows = self.picture("--mode", "iso", "--attribute", "density", "--level", "9", "--size", "64,64")
+        self.assertTrue(report["dms"]["certified"])
+        self.assertGreater(len({p for row in rows for p in row}), 20)
 
 
 class Page(DmsPicture):

@@ -121,14 +121,105 @@ TEST(DmsIso, CellsThatTheSurfaceCrossesAreSmall) {
   EXPECT_EQ(stopped.undecided[0].why, DmsIsoDoubt::kWide);
 }
 
-TEST(DmsIso, LevelAtAVertexOfTheDomainIsInDoubt) {
-  LevelSet set = draw_level_set(2, LevelSetKind::kPlane, false, false);
-  set_polynomial_attribute(set.model, [](const DmsPoint& p) { return p[2]; });
-  set.level = Rational(1);
-  const DmsIso iso = find(set);
-  EXPECT_FALSE(iso.certified);
-  ASSERT_FALSE(iso.undecided.empty());
-  EXPECT_EQ(iso.undecided[0].why, DmsIsoDoubt::kVertex);
+// A polynomial over the cube of side 2 of 48 tetrahedra, whose vertices have integers as coordinates.
+template <typename G>
+LevelSet over_cube(const G& g, bool has_clouds, int size = 2) {
+  LevelSet set;
+  set.model = kuhn_domain({size, size, size});
+  set.model.degree = 2;
+  if (has_clouds) internal::draw_clouds(set.model, {Rational(1) / Rational(10), 5});
+  set_polynomial_attribute(set.model, g);
+  set.text = has_clouds ? "clouds" : "collapsed";
+  return set;
+}
+DmsPoint from_middle(const DmsPoint& p, int middle) {
+  return {p[0] - Rational(middle), p[1] - Rational(middle), p[2] - Rational(middle)};
+}
+
+// PROVES DMS-4, DMS-4.V1, DMS-4.V2
+TEST(DmsIso, LevelsAtVerticesOfTheDomain) {
+  for (const bool has_clouds : {false, true}) {
+    // Nine vertices, those in faces and on edges of the cube among them.
+    LevelSet plane = over_cube([](const DmsPoint& p) { return p[2]; }, has_clouds);
+    plane.components = 1, plane.euler = 1, plane.level = Rational(1);
+    expect_topology(plane, find(plane));
+    EXPECT_EQ(find(plane).mesh.positions.size(), 9u);
+    EXPECT_EQ(find(plane).mesh.faces.size(), 8u);
+    // The middle alone, where a saddle is tangent to edges.
+    LevelSet saddle = over_cube(
+        [](const DmsPoint& p) {
+          const DmsPoint x = from_middle(p, 1);
+          return x[0] + (x[1] * x[1] - x[2] * x[2]) / Rational(3);
+        },
+        has_clouds);
+    saddle.components = 1, saddle.euler = 1;
+    expect_topology(saddle, find(saddle));
+    // Six vertices at which it is tangent to edges, from inside and from outside.
+    for (const int sign : {1, -1}) {
+      LevelSet sphere = over_cube(
+          [&](const DmsPoint& p) {
+            const DmsPoint x = from_middle(p, 2);
+            return Rational(sign) * (dot_product(x, x) - Rational(1));
+          },
+          has_clouds, 4);
+      sphere.components = 1, sphere.euler = 2;
+      expect_topology(sphere, find(sphere));
+    }
+  }
+}
+
+// Where no direction of growth is parallel to the faces of the domain, or where there is not any.
+TEST(DmsIso, SingularVerticesAndCornersAreInDoubt) {
+  const auto middle = [](const DmsPoint& p) { return from_middle(p, 1); };
+  const auto expect_doubt = [](const LevelSet& set) {
+    const DmsIso iso = find(set, Rational(8), 4'000);
+    EXPECT_FALSE(iso.certified) << set.text;
+    ASSERT_FALSE(iso.undecided.empty()) << set.text;
+    EXPECT_TRUE(std::any_of(iso.undecided.begin(), iso.undecided.end(), [](const DmsIsoCell& cell) {
+      return cell.why == DmsIsoDoubt::kVertex;
+    })) << set.text;
+  };
+  for (const bool has_clouds : {false, true}) {
+    expect_doubt(over_cube([&](const DmsPoint& p) { return dot_product(middle(p), middle(p)); },
+                           has_clouds));
+    expect_doubt(
+        over_cube([&](const DmsPoint& p) { return middle(p)[0] * middle(p)[0]; }, has_clouds));
+    expect_doubt(
+        over_cube([&](const DmsPoint& p) { return middle(p)[0] * middle(p)[1]; }, has_clouds));
+    expect_doubt(over_cube(
+        [&](const DmsPoint& p) {
+          const DmsPoint x = middle(p);
+          return x[0] * x[0] + x[1] * x[1] - x[2] * x[2];
+        },
+        has_clouds));
+    // A corner alone; an edge of the cube; a sphere that touches six faces.
+    expect_doubt(over_cube([](const DmsPoint& p) { return p[0] + p[1] + p[2]; }, has_clouds));
+    expect_doubt(over_cube([](const DmsPoint& p) { return p[0] + p[1]; }, has_clouds));
+    expect_doubt(over_cube(
+        [&](const DmsPoint& p) { return dot_product(middle(p), middle(p)) - Rational(1); },
+        has_clouds));
+  }
+}
+
+// Control points that no polynomial has: what other tetrahedra add is bounded by what their splines are at corners.
+TEST(DmsIso, CloudsAndControlPointsOfNoPolynomial) {
+  for (const int seed : {1, 2}) {
+    LevelSet set = over_cube(
+        [](const DmsPoint& p) {
+          const DmsPoint x = from_middle(p, 1);
+          return x[2] + x[0] * x[0] / Rational(3);
+        },
+        false);
+    internal::draw_clouds(set.model,
+                          {Rational(1) / Rational(20), static_cast<std::uint64_t>(seed)});
+    Random random(static_cast<std::uint64_t>(seed));
+    for (std::size_t c = 0; c < set.model.num_control(); ++c)
+      set.model.control.values[4 * c + 3] += Rational(random.between(-9, 9)) / Rational(500);
+    set.level = Rational(1) / Rational(2);
+    set.components = 1, set.euler = 1;
+    set.text = "seed " + std::to_string(seed);
+    expect_topology(set, find(set));
+  }
 }
 
 // Separate control points of equal values are shared ones; where one differs the attribute may jump.
@@ -147,9 +238,9 @@ TEST(DmsIsoRule, CutsKeepThePolynomial) {
   const int n = 3;
   const DmsIsoRule rule(n);
   Random random(1);
-  DmsIsoForm form{true, {}, {}};
+  DmsIsoForm form;
   for (std::size_t i = 0; i < num_tetrahedral_indices(n); ++i)
-    form.numbers.push_back(Interval(static_cast<double>(random.between(-8, 8))));
+    form.coefficients.push_back(Interval(static_cast<double>(random.between(-8, 8))));
   for (std::size_t e = 0; e < kDmsEdges.size(); ++e) {
     const auto [first, second] = rule.cut(form, e, Rational(1) / Rational(4));
     const std::vector<Interval> b = rule.along_edge(form, e);
@@ -174,10 +265,11 @@ TEST(DmsIsoRule, CutsKeepThePolynomial) {
   }
 }
 
+// PROVES DMS-4.R1
 TEST(DmsIsoRule, OpenAreSimplicesWithoutSignAndGrowth) {
   const DmsIsoRule rule(1);
   const auto linear = [](double a, double b, double c, double d) {
-    return DmsIsoForm{true, {Interval(a), Interval(b), Interval(c), Interval(d)}, {}};
+    return DmsIsoForm{{Interval(a), Interval(b), Interval(c), Interval(d)}, {}, {}, {}};
   };
   EXPECT_EQ(rule.find_open(linear(-1, 2, 3, 4)), std::nullopt);
   EXPECT_EQ(rule.find_open(linear(1, 1, 1, 1)), std::nullopt);
@@ -186,6 +278,12 @@ TEST(DmsIsoRule, OpenAreSimplicesWithoutSignAndGrowth) {
   EXPECT_EQ(rule.find_open(linear(0, 0, 0, 0)), kAllCorners);
   EXPECT_EQ(rule.sign_on(linear(1, 0, 2, 3), kAllCorners), 0);
   EXPECT_EQ(rule.sign_on(linear(1, 0, 2, 3), 13), 1);
+  // Corners at which g = c count as above the level.
+  EXPECT_EQ(rule.find_open(linear(0, 0, 0, 1), 7), std::nullopt);
+  EXPECT_EQ(rule.find_open(linear(0, 0, 0, -1), 7), std::nullopt);
+  EXPECT_EQ(rule.find_open(linear(0, 1, 1, -1), 1), std::nullopt);
+  EXPECT_EQ(rule.sign_on(linear(0, 0, 0, 1), kAllCorners, 7), 1);
+  EXPECT_EQ(rule.sign_on(linear(0, 0, 0, -1), kAllCorners, 7), 0);
 }
 
 }  // namespace

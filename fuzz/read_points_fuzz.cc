@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/read_points_fuzz.cc: any bytes as lines of points, and as the header of an .npy file. Whatever coordinates the
+// fuzz/read_points_fuzz.cc: any bytes as lines of points, as rows, and as the header of an .npy file. Rows of three numbers
+// are exact points. Whatever coordinates the
 // reader accepts, the C++ checker must accept as coordinates of an answers file, and mean the same number by them:
 // otherwise answers would be written that no certificate can speak about.
 #include <bit>
@@ -10,6 +11,7 @@
 
 #include "io/points/npy_header.h"
 #include "io/points/read_point.h"
+#include "io/points/read_row.h"
 #include "robust/base/check.h"
 #include "verify/checker/points/coordinate.h"
 
@@ -32,24 +34,67 @@ void expect_same(std::string_view token, const Rational& value, bool nearest) {
            "the checker reads another number");
 }
 
-void read_lines(std::string_view text, Decimals decimals, std::size_t dimension) {
-  PointLines lines(decimals, {}, dimension);
+template <typename Visit>
+void for_each_line(std::string_view text, Visit visit) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string padded = std::string(text.substr(0, end)) + std::string(16, '\n');
-    std::optional<PointFault> fault;
-    const auto point = lines.read(std::string_view(padded).substr(0, end), fault);
-    VT_CHECK(!point || !fault, "a point with a fault");
-    VT_CHECK(!fault || (fault->column >= 1 && fault->column <= end + 1), "a column off the line");
-    if (point)
-      for (std::size_t k = 0; k < dimension; ++k) {
-        const auto* p = std::get_if<Vec3d>(&point->point);
-        const Rational value = p != nullptr ? Rational::from_double((*p)[static_cast<int>(k)])
-                                            : std::get<ExactPoint>(point->point)[k];
-        expect_same(point->tokens[k], value, decimals == Decimals::kNearest);
-      }
+    visit(std::string_view(padded).substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
+}
+
+void read_lines(std::string_view text, Decimals decimals, std::size_t dimension) {
+  PointLines lines(decimals, {}, dimension);
+  for_each_line(text, [&](std::string_view line) {
+    std::optional<PointFault> fault;
+    const auto point = lines.read(line, fault);
+    VT_CHECK(!point || !fault, "a point with a fault");
+    VT_CHECK(!fault || (fault->column >= 1 && fault->column <= line.size() + 1),
+             "a column off the line");
+    if (!point) return;
+    for (std::size_t k = 0; k < dimension; ++k) {
+      const auto* p = std::get_if<Vec3d>(&point->point);
+      const Rational value = p != nullptr ? Rational::from_double((*p)[static_cast<int>(k)])
+                                          : std::get<ExactPoint>(point->point)[k];
+      expect_same(point->tokens[k], value, decimals == Decimals::kNearest);
+    }
+  });
+}
+
+void read_rows(std::string_view text) {
+  RowLines rows(1, 40, {});
+  std::size_t columns = 0;
+  for_each_line(text, [&](std::string_view line) {
+    std::optional<PointFault> fault;
+    const auto row = rows.read(line, fault);
+    VT_CHECK(!row || !fault, "a row with a fault");
+    VT_CHECK(!fault || (fault->column >= 1 && fault->column <= line.size() + 1),
+             "a column off the line");
+    if (!row) return;
+    VT_CHECK(!row->empty() && row->size() <= 40, "the number of columns");
+    VT_CHECK(columns == 0 || row->size() == columns, "rows of one length");
+    columns = row->size();
+  });
+}
+
+void compare_with_points(std::string_view text) {
+  PointLines lines(Decimals::kExact, {}, 3);
+  RowLines rows(3, 3, {});
+  for_each_line(text, [&](std::string_view line) {
+    std::optional<PointFault> point_fault, row_fault;
+    const auto point = lines.read(line, point_fault);
+    const auto row = rows.read(line, row_fault);
+    VT_CHECK(
+        point_fault.has_value() == row_fault.has_value() && point.has_value() == row.has_value(),
+        "a row of three numbers is a point");
+    for (std::size_t k = 0; row && k < 3; ++k) {
+      const auto* p = std::get_if<Vec3d>(&point->point);
+      VT_CHECK((*row)[k] == (p != nullptr ? Rational::from_double((*p)[static_cast<int>(k)])
+                                          : std::get<ExactPoint>(point->point)[k]),
+               "the row has another number");
+    }
+  });
 }
 
 }  // namespace
@@ -62,5 +107,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto header = read_npy_header({data, size}, dimension);
     if (header) VT_CHECK(header->num_bytes <= size, "a header beyond its bytes");
   }
+  read_rows(text);
+  compare_with_points(text);
   return 0;
 }

@@ -149,7 +149,7 @@ std::uint64_t IsoCells::key_of(const DmsSupport& support) const {
   return support.tetrahedron * knots_.gammas().size() + tetrahedral_index(support.gamma);
 }
 
-// Lower bounds of the limits of all N_γ that are not 0, from inside of the tetrahedron: N_γ jumps only at faces.
+// Lower bounds of the limits of all N_γ that are not 0, along the segment to the middle of the tetrahedron (DMS-4.L2).
 IsoCells::Shares IsoCells::shares_at(const DmsPoint& point, std::uint32_t tetrahedron) {
   DmsPoint middle;
   for (const DmsPoint& p : knots_.corners(tetrahedron))

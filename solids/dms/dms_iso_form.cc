@@ -94,8 +94,19 @@ Interval DmsIsoSlopes::range(std::size_t k) const {
 std::optional<Direction> DmsIsoSlopes::guess_direction(bool may_be_zero) const {
   std::vector<Direction> steps, moves;
   Direction e{};
+  // Numbers near 1, whose squares are in range.
+  double most = 0;
+  for (const auto* list : {&polynomial, &rests})
+    for (const Slope& slope : *list)
+      for (const double x : middle_of(slope)) most = std::max(most, std::abs(x));
+  const int exponent = most > 0 && std::isfinite(most) ? std::ilogb(most) : 0;
+  const auto scaled = [&](const Slope& slope) {
+    Direction out = middle_of(slope);
+    for (double& x : out) x = std::ldexp(x, -exponent);
+    return out;
+  };
   for (const Slope& slope : polynomial) {
-    const Direction step = middle_of(slope);
+    const Direction step = scaled(slope);
     const double length = length_of(step);
     if (may_be_zero && length == 0) continue;
     if (!std::isfinite(length) || (rests.empty() && !(length > 0))) return std::nullopt;
@@ -103,7 +114,7 @@ std::optional<Direction> DmsIsoSlopes::guess_direction(bool may_be_zero) const {
     for (std::size_t k = 0; k < 3 && length > 0; ++k) e[k] += step[k] / length;
   }
   if (steps.empty()) return std::nullopt;
-  for (const Slope& slope : rests) moves.push_back(middle_of(slope));
+  for (const Slope& slope : rests) moves.push_back(scaled(slope));
   for (double& x : e) x /= static_cast<double>(steps.size());
   for (int turn = 0; turn < kTurns; ++turn) {
     Direction against{};  // the rest that is most against it
@@ -126,13 +137,14 @@ std::optional<Direction> DmsIsoSlopes::guess_direction(bool may_be_zero) const {
 }
 
 bool DmsIsoSlopes::all_grow_along(const Direction& e, bool may_be_zero) const {
-  Interval least(0.0);
+  double least = 0;
   for (const Slope& slope : rests) {
-    const Interval x = along(slope, e);
-    if (!(x.lo() >= least.lo())) least = x;
+    const double low = along(slope, e).lo();
+    if (std::isnan(low)) return false;
+    least = std::min(least, low);
   }
   return std::all_of(polynomial.begin(), polynomial.end(), [&](const Slope& slope) {
-    const double low = (along(slope, e) + least).lo();
+    const double low = (along(slope, e) + Interval(least)).lo();
     return may_be_zero ? low >= 0 : low > 0;
   });
 }

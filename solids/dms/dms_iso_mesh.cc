@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "interval/upward.h"
@@ -12,6 +12,8 @@
 
 namespace veritope::internal {
 namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr int kMostSteps = 60, kMostValues = 14, kFirstBits = 8;
 
@@ -42,7 +44,8 @@ class IsoDrawing {
   Status run() {
     for (const IsoCell& cell : cells_.cells)
       if (cell.is_alive && cell.off == 0) add(cell);
-    count();
+    std::tie(out_.components, out_.euler) = numbers_of(out_.mesh.faces);
+    if (!first_at_.empty()) weld();
     if (!beyond_) return ok_status();
     Error error{Code::kNotFinite, {}, "a vertex of the surface is beyond binary64"};
     error.place.entity = *beyond_;
@@ -81,21 +84,22 @@ class IsoDrawing {
       add_face(at(0, 3), at(1, 3), at(2, 3));
     }
   }
-  // Points on edges at one vertex with g = c are that vertex, so that some faces vanish.
   void add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    if (a != b && b != c && c != a) out_.mesh.faces.push_back({a, b, c});
+    out_.mesh.faces.push_back({a, b, c});
   }
 
   std::uint32_t vertex(const IsoCell& cell, std::size_t i, std::size_t j) {
     if (cell.corners[i] > cell.corners[j]) std::swap(i, j);
-    std::uint32_t a = cell.corners[i], b = cell.corners[j];
-    if (cells_.vertices[a].sign == 0) b = a;
-    if (cells_.vertices[b].sign == 0) a = b;
+    const std::uint32_t a = cell.corners[i], b = cell.corners[j];
     const auto [found, is_new] =
         numbers_.try_emplace({a, b}, static_cast<std::uint32_t>(out_.mesh.positions.size()));
     if (!is_new) return found->second;
-    DmsPoint at = a == b ? cells_.vertices[a].at
-                         : cells_.between(a, b, Rational::from_double(root(cell, i, j)));
+    const std::uint32_t zero = cells_.vertices[a].sign == 0 ? a : b;
+    const bool is_at_vertex = cells_.vertices[zero].sign == 0;
+    welded_.push_back(is_at_vertex ? first_at_.try_emplace(zero, found->second).first->second
+                                   : found->second);
+    DmsPoint at = is_at_vertex ? cells_.vertices[zero].at
+                               : cells_.between(a, b, Rational::from_double(root(cell, i, j)));
     if (map_ != nullptr) {
       const auto place = map_->locate(at);
       VT_CHECK(place.has_value(), "points of cells are in the domain");
@@ -155,30 +159,66 @@ class IsoDrawing {
     return std::abs(at_low) < std::abs(at_high) ? low : high;
   }
 
-  void count() {
-    const auto& faces = out_.mesh.faces;
-    std::vector<std::uint32_t> parent(out_.mesh.positions.size());
-    std::iota(parent.begin(), parent.end(), 0u);
+  // Points on edges at one vertex with g = c become one, and some faces vanish, if that keeps the topology, which
+  // DMS-4 does not say.
+  void weld() {
+    std::vector<Triangle> faces;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> directed;
+    bool is_manifold = true;
+    for (const auto& f : out_.mesh.faces) {
+      const Triangle g{welded_[f[0]], welded_[f[1]], welded_[f[2]]};
+      if (g[0] == g[1] || g[1] == g[2] || g[2] == g[0]) continue;
+      for (std::size_t k = 0; k < 3; ++k)
+        is_manifold = directed.emplace(g[k], g[(k + 1) % 3]).second && is_manifold;
+      faces.push_back(g);
+    }
+    if (!is_manifold || numbers_of(faces) != numbers_of(out_.mesh.faces)) return;
+    constexpr std::uint32_t kNone = 0xffffffffu;
+    std::vector<std::uint32_t> place(welded_.size(), kNone);
+    std::vector<Vec3d> positions;
+    for (auto& f : faces)
+      for (std::uint32_t& v : f) {
+        if (place[v] == kNone) {
+          place[v] = static_cast<std::uint32_t>(positions.size());
+          positions.push_back(out_.mesh.positions[v]);
+        }
+        v = place[v];
+      }
+    out_.mesh.faces = std::move(faces);
+    out_.mesh.positions = std::move(positions);
+  }
+
+  // Components, and the Euler characteristic.
+  static std::pair<std::uint64_t, std::int64_t> numbers_of(
+      const std::vector<Triangle>& faces) {
+    std::map<std::uint32_t, std::uint32_t> parent;
     const auto root_of_set = [&](std::uint32_t v) {
       while (parent[v] != v) v = parent[v] = parent[parent[v]];
       return v;
     };
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const auto& f : faces)
+      for (const std::uint32_t v : f) parent.try_emplace(v, v);
+    for (const auto& f : faces)
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = f[k], b = f[(k + 1) % 3];
         edges.emplace(std::min(a, b), std::max(a, b));
         parent[root_of_set(a)] = root_of_set(b);
       }
-    for (std::uint32_t v = 0; v < parent.size(); ++v) out_.components += parent[v] == v ? 1 : 0;
-    out_.euler = static_cast<std::int64_t>(parent.size()) -
-                 static_cast<std::int64_t>(edges.size()) + static_cast<std::int64_t>(faces.size());
+    std::uint64_t components = 0;
+    for (const auto& [v, up] : parent) components += v == up ? 1 : 0;
+    return {components, static_cast<std::int64_t>(parent.size()) -
+                            static_cast<std::int64_t>(edges.size()) +
+                            static_cast<std::int64_t>(faces.size())};
   }
 
   IsoCells& cells_;
   DmsEvaluator* map_;
   DmsIso& out_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;
+  std::vector<std::uint32_t> welded_;  // of each vertex: itself, or
+  std::map<std::uint32_t, std::uint32_t>
+      first_at_;                         // the first one at a vertex of cells with g = c
   std::optional<std::uint32_t> beyond_;  // the first tetrahedron with a vertex beyond binary64
 };
 

@@ -76,6 +76,19 @@ class DmsIso(Folder):
         answer = self.iso("--max-cells", "2000", level=str(at_vertex), status=3)
         self.assertIn("vertex", {cell["why"] for cell in answer["undecided"]})
 
+    def test_vertices_at_the_level_are_one_vertex_only_where_that_keeps_the_topology(self):
+        # An annulus that passes an edge whose ends are at the level on two sides: the edge would be in four triangles.
+        for within in ("100", "1"):
+            found = self.iso(model=MODELS / "dms" / "pinched_level.vdms", level="0", within=within)
+            self.assertEqual((found["certified"], found["components"], found["euler"]), (True, 1, 0))
+            lines = (self.folder / "f.off").read_text().split("\n")
+            vertices, triangles = map(int, lines[1].split()[:2])
+            faces = [tuple(map(int, line.split()[1:])) for line in lines[2 + vertices:2 + vertices + triangles]]
+            edges = [(f[i], f[(i + 1) % 3]) for f in faces for i in range(3)]
+            self.assertEqual(len(edges), len(set(edges)))
+            both = {tuple(sorted(e)) for e in edges}
+            self.assertEqual(len({v for f in faces for v in f}) - len(both) + len(faces), 0)
+
     def test_a_vertex_beyond_binary64_is_refused_with_its_tetrahedron(self):
         data = json.loads(sphere())
         for entry in data["control"]:

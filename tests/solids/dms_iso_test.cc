@@ -168,6 +168,17 @@ TEST(DmsIso, LevelsAtVerticesOfTheDomain) {
   }
 }
 
+// Numbers whose squares are beyond binary64.
+TEST(DmsIso, LargeAndSmallAttributes) {
+  for (const int exponent : {-900, 900}) {
+    const Rational scale = Rational::power_of_two(exponent);
+    LevelSet set = over_cube([&](const DmsPoint& p) { return scale * (p[0] + p[2] * p[2]); }, true);
+    set.level = scale / Rational(3);
+    set.components = 1, set.euler = 1;
+    expect_topology(set, find(set));
+  }
+}
+
 // Where no direction of growth is parallel to the faces of the domain, or where there is not any.
 TEST(DmsIso, SingularVerticesAndCornersAreInDoubt) {
   const auto middle = [](const DmsPoint& p) { return from_middle(p, 1); };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/read_points_fuzz.cc: any bytes as lines of points, as rows, and as the header of an .npy file. Rows of three numbers
-// are exact points. Whatever coordinates the
-// reader accepts, the C++ checker must accept as coordinates of an answers file, and mean the same number by them:
-// otherwise answers would be written that no certificate can speak about.
+// fuzz/read_points_fuzz.cc: any bytes as lines of points, as rows, and as the header of an .npy file. Rows of three
+// numbers are exact points. Whatever coordinates the reader accepts, the C++ checker must accept as coordinates of an
+// answers file, and mean the same number by them: otherwise answers would be written that no certificate can speak
+// about.
 #include <bit>
 #include <cstdint>
 #include <cstdlib>

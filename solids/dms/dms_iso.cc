@@ -166,7 +166,8 @@ class IsoSearch {
   }
   // Whether the cell was cut there. If it is found to have one polynomial, `open` is what is open then.
   bool cut_at_knots(std::uint32_t number, int round, std::optional<DmsCorners>& open) {
-    if (cells_.cells[number].form.is_polynomial() || round % 2 == 0) return false;
+    if (cells_.cells[number].form.is_polynomial() || round % kKnotRounds != kKnotRounds - 1)
+      return false;
     if (!cells_.cut_at_knots(number)) return false;
     if (!cells_.cells[number].is_alive) return true;
     open = find_open(number);

@@ -326,13 +326,18 @@ bool DmsCut::has(std::uint32_t vertex) const {
 }
 
 BPatch<Rational> patch_of_tetrahedron(const DmsModel& model, std::uint32_t tetrahedron) {
+  return patch_of_tetrahedron(model, tetrahedron, 0, model.num_components());
+}
+
+BPatch<Rational> patch_of_tetrahedron(const DmsModel& model, std::uint32_t tetrahedron,
+                                      std::size_t first, std::size_t count) {
   const TetrahedronCorners& corners = model.tetrahedra[tetrahedron];
   std::vector<Rational> control;
   for_each_tetrahedral_index(model.degree, [&](const TetrahedralIndex& beta) {
-    const auto value = model.value(control_of(model, tetrahedron, beta));
+    const auto value = model.value(control_of(model, tetrahedron, beta)).subspan(first, count);
     control.insert(control.end(), value.begin(), value.end());
   });
-  return BPatch<Rational>(model.degree, model.num_components(), std::move(control),
+  return BPatch<Rational>(model.degree, count, std::move(control),
                           [&](const TetrahedralIndex& gamma) {
                             std::array<DmsPoint, 4> points;
                             for (std::size_t m = 0; m < 4; ++m)

@@ -2,6 +2,7 @@
 // solids/dms/dms_change.h: how much the map of a simplex-spline solid changes where tetrahedra are cut at a new vertex.
 // Theory: docs/THEORY.md, DMS-3.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,9 +12,11 @@
 
 namespace veritope {
 
-/// The polynomial of a tetrahedron: its control points as a B-patch.
+/// The polynomial of a tetrahedron: its control points as a B-patch, with `count` components from `first` on, or all.
 /// REQUIRES d(W_γ) != 0 for |γ| < degree, a model that validate() accepts.
 BPatch<Rational> patch_of_tetrahedron(const DmsModel& model, std::uint32_t tetrahedron);
+BPatch<Rational> patch_of_tetrahedron(const DmsModel& model, std::uint32_t tetrahedron,
+                                      std::size_t first, std::size_t count);
 
 /// Where a new vertex lies, and which tetrahedra it cuts.
 struct DmsCut {

@@ -52,7 +52,7 @@ class IsoSearch {
     });
   }
   static constexpr std::size_t kFirstCells = 4000;
-  static constexpr int kKnotRounds = 6;  // of so many rounds of a cell one looks for a cut at knots
+  static constexpr int kKnotRounds = 6;  // one round of a cell in so many looks for a cut at knots
   static constexpr std::size_t kStarCuts = 40;  // on average at a vertex with g = c
   bool is_full() const { return cells_.num_alive >= max_cells_; }
   bool is_of_interest(std::uint32_t number) const {

@@ -124,12 +124,32 @@ DmsIsoForm IsoCells::polynomial_on(const IsoCell& cell) {
   return form;
 }
 
+// Whether all knots but one may lie in a plane, at which N_γ may then jump: by E2 of DMS-1 those of three corners.
+bool IsoCells::may_jump(const DmsSupport& support) {
+  const auto [found, is_new] = jumps_.try_emplace(knots_.key(support), false);
+  if (!is_new) return found->second;
+  const TetrahedronCorners& t = model_.tetrahedra[support.tetrahedron];
+  for (std::size_t apex = 0; apex < 4; ++apex) {
+    if (support.gamma[apex] != 0) continue;
+    const DmsPoint &a = model_.knot(t[(apex + 1) % 4], 0), &b = model_.knot(t[(apex + 2) % 4], 0),
+                   &c = model_.knot(t[(apex + 3) % 4], 0);
+    const DmsPoint normal = cross_product(difference(b, a), difference(c, a));
+    bool is_flat = true;
+    for (std::size_t m = 0; m < 4; ++m)
+      for (int i = 1; m != apex && i <= support.gamma[m]; ++i)
+        is_flat = is_flat &&
+                  dot_product(normal, difference(model_.knot(t[m], i), a)).sign() == Sign::kZero;
+    if (is_flat) return found->second = true;
+  }
+  return false;
+}
+
 void IsoCells::drop_far_supports(std::uint32_t number) {
   DmsIsoForm& form = cells[number].form;
   DmsRegion near = region(cells[number]);
   std::size_t kept = 0;
   for (std::size_t s = 0; s < form.supports.size(); ++s) {
-    if (near.misses(knots_.knots(form.supports[s]))) continue;
+    if (near.misses(knots_.knots(form.supports[s])) && !may_jump(form.supports[s])) continue;
     form.supports[kept] = form.supports[s];
     for (std::size_t m = 0; m < 4; ++m) {
       form.rests[4 * kept + m] = form.rests[4 * s + m];
@@ -145,10 +165,6 @@ void IsoCells::drop_far_supports(std::uint32_t number) {
     form.supports.clear(), form.rests.clear(), form.shares.clear();
 }
 
-std::uint64_t IsoCells::key_of(const DmsSupport& support) const {
-  return support.tetrahedron * knots_.gammas().size() + tetrahedral_index(support.gamma);
-}
-
 // Lower bounds of the limits of all N_γ that are not 0, along the segment to the middle of the tetrahedron (DMS-4.L2).
 IsoCells::Shares IsoCells::shares_at(const DmsPoint& point, std::uint32_t tetrahedron) {
   DmsPoint middle;
@@ -159,14 +175,14 @@ IsoCells::Shares IsoCells::shares_at(const DmsPoint& point, std::uint32_t tetrah
   evaluator_.for_each_basis(
       place, model_.degree - 1,
       [&](std::uint32_t t, const TetrahedralIndex& gamma, const Rational& value) {
-        out.emplace(key_of({t, gamma}), std::max(0.0, round_down(value)));
+        out.emplace(knots_.key({t, gamma}), std::max(0.0, round_down(value)));
       });
   return out;
 }
 
 void IsoCells::set_shares(DmsIsoForm& form, std::size_t corner, const Shares& shares) const {
   for (std::size_t s = 0; s < form.supports.size(); ++s) {
-    const auto found = shares.find(key_of(form.supports[s]));
+    const auto found = shares.find(knots_.key(form.supports[s]));
     form.shares[4 * s + corner] = found == shares.end() ? 0 : found->second;
   }
 }

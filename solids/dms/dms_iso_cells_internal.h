@@ -55,7 +55,7 @@ class IsoCells {
   bool has_star(std::uint32_t vertex) const { return at_zero_.contains(vertex); }
   /// The living cells at such a vertex.
   std::vector<std::uint32_t> star(std::uint32_t vertex) const;
-  /// Cuts an edge at such a vertex, where the derivative varies most.
+  /// Cuts an edge at such a vertex, the longest.
   void cut_star(std::uint32_t vertex);
   std::size_t longest_edge(const IsoCell& cell) const;
   double squared_length(std::uint32_t a, std::uint32_t b) const;
@@ -67,7 +67,7 @@ class IsoCells {
 
   /// Cuts all cells at an edge of a cell, at the place, or if g is c there, at one of a few near the middle.
   void cut(std::uint32_t cell, std::size_t edge, const Rational& place);
-  /// Forgets supports whose knots do not reach into the cell.
+  /// Forgets supports whose N_γ are 0 on the closed cell: their knots do not reach into it, and they cannot jump.
   void drop_far_supports(std::uint32_t cell);
   /// Finds the shares of the cell's form.
   void add_shares(std::uint32_t cell);
@@ -83,7 +83,7 @@ class IsoCells {
   DmsIsoForm polynomial_on(const IsoCell& cell);
   void add_cell(IsoCell cell);
   using Shares = std::unordered_map<std::uint64_t, double>;
-  std::uint64_t key_of(const DmsSupport& support) const;
+  bool may_jump(const DmsSupport& support);
   Shares shares_at(const DmsPoint& point, std::uint32_t tetrahedron);
   void set_shares(DmsIsoForm& form, std::size_t corner, const Shares& shares) const;
   bool cut_at(std::uint32_t a, std::uint32_t b, const Rational& t, bool may_be_zero);
@@ -97,6 +97,7 @@ class IsoCells {
   DmsIsoLocal local_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> at_edge_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> at_zero_;
+  std::unordered_map<std::uint64_t, bool> jumps_;
 };
 
 }  // namespace veritope::internal

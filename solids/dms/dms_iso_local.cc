@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "solids/dms/dms_change.h"
+
 namespace veritope {
 namespace {
 
@@ -25,7 +27,7 @@ DmsIsoLocal::DmsIsoLocal(const DmsModel& model, const DmsKnotTable& knots, std::
     : model_(model), knots_(knots), component_(component), level_(level) {}
 
 Rational DmsIsoLocal::control(std::uint32_t tetrahedron, const TetrahedralIndex& beta) const {
-  return model_.value(control_of(model_, tetrahedron, beta))[component_] - level_;
+  return model_.value(control_of(model_, tetrahedron, beta))[component_];
 }
 
 bool DmsIsoLocal::is_collapsed(std::uint32_t tetrahedron) const {
@@ -34,20 +36,6 @@ bool DmsIsoLocal::is_collapsed(std::uint32_t tetrahedron) const {
     for (int i = 1; i < model_.degree; ++i)
       if (knots_.number(v, i) != knots_.number(v, 0)) return false;
     return true;
-  });
-}
-
-BPatch<Rational> DmsIsoLocal::patch(std::uint32_t tetrahedron) const {
-  const TetrahedronCorners& corners = model_.tetrahedra[tetrahedron];
-  std::vector<Rational> values;
-  for_each_tetrahedral_index(model_.degree, [&](const TetrahedralIndex& beta) {
-    values.push_back(control(tetrahedron, beta));
-  });
-  return BPatch<Rational>(model_.degree, 1, std::move(values), [&](const TetrahedralIndex& gamma) {
-    std::array<DmsPoint, 4> points;
-    for (std::size_t m = 0; m < 4; ++m) points[m] = model_.knot(corners[m], gamma[m]);
-    // No half-open rule asks this frame, so its orientation has no effect.
-    return simplex_frame<Rational>({0, 1, 2, 3}, points, Sign::kPositive);
   });
 }
 
@@ -61,8 +49,7 @@ std::vector<DmsPoint> DmsIsoLocal::knots_of(std::uint32_t tetrahedron,
 }
 
 const DmsIsoLocal::Frame& DmsIsoLocal::frame(const DmsSupport& support) {
-  const std::uint64_t key =
-      support.tetrahedron * knots_.gammas().size() + tetrahedral_index(support.gamma);
+  const std::uint64_t key = knots_.key(support);
   const auto found = frames_.find(key);
   if (found != frames_.end()) return found->second;
   if (frames_.size() >= kMaxKeptFrames) frames_.clear();
@@ -122,17 +109,18 @@ DmsIsoForm DmsIsoLocal::form(std::uint32_t tetrahedron, std::span<const DmsSuppo
   });
   const bool is_bernstein = is_collapsed(tetrahedron);
   std::optional<BPatch<Rational>> own;
-  if (has_others || !is_bernstein) own.emplace(patch(tetrahedron));
+  if (has_others || !is_bernstein)
+    own.emplace(patch_of_tetrahedron(model_, tetrahedron, component_, 1));
   const auto corners = knots_.corners(tetrahedron);
   for_each_tetrahedral_index(model_.degree, [&](const TetrahedralIndex& beta) {
     if (is_bernstein) {
-      out.coefficients.push_back(enclose(control(tetrahedron, beta)));
+      out.coefficients.push_back(enclose(control(tetrahedron, beta) - level_));
       return;
     }
     std::vector<DmsPoint> points;
     for (std::size_t m = 0; m < 4; ++m)
       points.insert(points.end(), static_cast<std::size_t>(beta[m]), corners[m]);
-    out.coefficients.push_back(enclose(own->blossom(points)[0]));
+    out.coefficients.push_back(enclose(own->blossom(points)[0] - level_));
   });
   if (has_others) add_rests(tetrahedron, *own, supports, out);
   return out;

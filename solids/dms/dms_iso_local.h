@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/dms_iso_local.h: an attribute on a tetrahedron as the polynomial of its own control points and what those
-// of others add to it. Theory: docs/THEORY.md, DMS-4.
+// solids/dms/dms_iso_local.h: an attribute on a tetrahedron as the polynomial of its own control points, plus what other
+// tetrahedra add. Theory: docs/THEORY.md, DMS-4.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -30,7 +30,6 @@ class DmsIsoLocal {
   using Frame = SimplexFrame<Rational>;
   Rational control(std::uint32_t tetrahedron, const TetrahedralIndex& beta) const;
   bool is_collapsed(std::uint32_t tetrahedron) const;
-  BPatch<Rational> patch(std::uint32_t tetrahedron) const;
   std::vector<DmsPoint> knots_of(std::uint32_t tetrahedron, const TetrahedralIndex& beta) const;
   const Frame& frame(const DmsSupport& support);
   void add_rests(std::uint32_t tetrahedron, const BPatch<Rational>& own,

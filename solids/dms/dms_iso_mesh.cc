@@ -44,7 +44,7 @@ class IsoDrawing {
   Status run() {
     for (const IsoCell& cell : cells_.cells)
       if (cell.is_alive && cell.off == 0) add(cell);
-    std::tie(out_.components, out_.euler) = numbers_of(out_.mesh.faces);
+    std::tie(out_.components, out_.euler) = numbers_of(out_.mesh.faces, welded_.size());
     if (!first_at_.empty()) weld();
     if (!beyond_) return ok_status();
     Error error{Code::kNotFinite, {}, "a vertex of the surface is beyond binary64"};
@@ -172,7 +172,9 @@ class IsoDrawing {
         is_manifold = directed.emplace(g[k], g[(k + 1) % 3]).second && is_manifold;
       faces.push_back(g);
     }
-    if (!is_manifold || numbers_of(faces) != numbers_of(out_.mesh.faces)) return;
+    if (!is_manifold ||
+        numbers_of(faces, welded_.size()) != numbers_of(out_.mesh.faces, welded_.size()))
+      return;
     constexpr std::uint32_t kNone = 0xffffffffu;
     std::vector<std::uint32_t> place(welded_.size(), kNone);
     std::vector<Vec3d> positions;
@@ -189,16 +191,17 @@ class IsoDrawing {
   }
 
   // Components, and the Euler characteristic.
-  static std::pair<std::uint64_t, std::int64_t> numbers_of(
-      const std::vector<Triangle>& faces) {
-    std::map<std::uint32_t, std::uint32_t> parent;
+  static std::pair<std::uint64_t, std::int64_t> numbers_of(const std::vector<Triangle>& faces,
+                                                           std::size_t num_vertices) {
+    constexpr std::uint32_t kUnused = 0xffffffffu;
+    std::vector<std::uint32_t> parent(num_vertices, kUnused);
     const auto root_of_set = [&](std::uint32_t v) {
       while (parent[v] != v) v = parent[v] = parent[parent[v]];
       return v;
     };
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const auto& f : faces)
-      for (const std::uint32_t v : f) parent.try_emplace(v, v);
+      for (const std::uint32_t v : f) parent[v] = v;
     for (const auto& f : faces)
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = f[k], b = f[(k + 1) % 3];
@@ -206,9 +209,12 @@ class IsoDrawing {
         parent[root_of_set(a)] = root_of_set(b);
       }
     std::uint64_t components = 0;
-    for (const auto& [v, up] : parent) components += v == up ? 1 : 0;
-    return {components, static_cast<std::int64_t>(parent.size()) -
-                            static_cast<std::int64_t>(edges.size()) +
+    std::int64_t vertices = 0;
+    for (std::uint32_t v = 0; v < parent.size(); ++v) {
+      components += parent[v] == v ? 1 : 0;
+      vertices += parent[v] != kUnused ? 1 : 0;
+    }
+    return {components, vertices - static_cast<std::int64_t>(edges.size()) +
                             static_cast<std::int64_t>(faces.size())};
   }
 

@@ -36,6 +36,10 @@ class DmsKnotTable {
   const DmsPoint& point(std::uint32_t number) const { return *points_[number]; }
   /// Its bounded_doubles.
   const std::array<double, 3>& rounded(std::uint32_t number) const { return rounded_[number]; }
+  /// One number for each V_γ, |γ| = n - 1.
+  std::uint64_t key(const DmsSupport& support) const {
+    return support.tetrahedron * std::uint64_t{gammas_.size()} + tetrahedral_index(support.gamma);
+  }
   /// The numbers of the knots of V_γ, each once.
   std::vector<std::uint32_t> knots(const DmsSupport& support) const;
   /// The four corners t_0 of a tetrahedron.

@@ -168,6 +168,19 @@ TEST(DmsIso, LevelsAtVerticesOfTheDomain) {
   }
 }
 
+// The hulls of note 0098 left it open after 20,000 cells.
+TEST(DmsIso, ASphereInTetrahedraWithCloudsNeedsFewCells) {
+  LevelSet set = over_cube(
+      [](const DmsPoint& p) {
+        const DmsPoint x = from_middle(p, 1);
+        return dot_product(x, x) + x[0] / Rational(19) - x[1] / Rational(31);
+      },
+      true);
+  set.level = Rational(4) / Rational(9);
+  set.components = 1, set.euler = 2;
+  expect_topology(set, find(set, Rational(8), 2'000));
+}
+
 // Numbers whose squares are beyond binary64.
 TEST(DmsIso, LargeAndSmallAttributes) {
   for (const int exponent : {-900, 900}) {

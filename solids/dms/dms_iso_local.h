@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/dms_iso_local.h: an attribute on a tetrahedron as the polynomial of its own control points, plus what other
-// tetrahedra add. Theory: docs/THEORY.md, DMS-4.
+// solids/dms/dms_iso_local.h: an attribute on a tetrahedron as the polynomial of its own control points, plus what
+// other tetrahedra add. Theory: docs/THEORY.md, DMS-4.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -7,6 +7,7 @@
 
 #include "cli/dms_verbs.h"
 #include "cli/output_plan.h"
+#include "cli/progress.h"
 #include "io/splines/write_splines.h"
 #include "report/text_style.h"
 #include "solids/dms/dms_surface.h"
@@ -41,7 +42,8 @@ ExitCode run_boundary(const DmsBoundaryChoice& o, StandardOutput& out) {
   }
   const TetrahedralComplex complex(model.tetrahedra,
                                    static_cast<std::uint32_t>(model.clouds.size()));
-  auto patches = boundary_patches(model, complex);
+  auto patches = with_progress(o.model, "cutting the boundary",
+                               [&] { return boundary_patches(model, complex); });
   if (const auto* const open = std::get_if<DmsOpenFace>(&patches)) {
     complain(harmless(o.model + ": " + open_face_text(complex, *open)));
     return kExitUndecided;

@@ -13,6 +13,7 @@
 #include "cli/dms_domain_refinement.h"
 #include "cli/dms_verbs.h"
 #include "cli/point_source.h"
+#include "cli/progress.h"
 #include "io/dms/write_dms.h"
 #include "report/decimal_text.h"
 #include "report/dms_domain_report.h"
@@ -64,7 +65,8 @@ class DmsDomainRun {
       : options_(options), out_(out) {}
 
   ExitCode run() {
-    if (const Status status = try_dms_outputs({options_.input}, options_.output, options_.json);
+    if (const Status status =
+            try_dms_outputs(files_of_domain_input(options_.input), options_.output, options_.json);
         !status)
       return fail(status.error());
     Stopwatch watch;
@@ -89,7 +91,9 @@ class DmsDomainRun {
   ExitCode take_points() {
     const Result<std::vector<ExactPoint3>> points = read_points(options_);
     if (!points) return fail(points.error());
-    auto delaunay = delaunay_tetrahedra(std::span<const ExactPoint3>(*points));
+    auto delaunay = with_progress(options_.input, "making tetrahedra", [&] {
+      return delaunay_tetrahedra(std::span<const ExactPoint3>(*points));
+    });
     if (!delaunay) return refuse(delaunay.error());
     report_.points = points->size();
     for (std::uint32_t i = 0; i < points->size(); ++i)
@@ -162,7 +166,8 @@ class DmsDomainRun {
     if (!has_limit(limits)) return write_domain(domain);
     limits.num_fixed = num_fixed;
     if (options_.max_points) limits.max_points = *options_.max_points;
-    const Result<RefinedDomain> refined = refine_domain(domain, limits);
+    const Result<RefinedDomain> refined =
+        with_progress(options_.input, "refining", [&] { return refine_domain(domain, limits); });
     if (!refined) return refuse(refined.error());
     report_.refinement = describe_refinement(limits, *refined);
     report_.steiner += report_.refinement->inserted - report_.refinement->taken_away;

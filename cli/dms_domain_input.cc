@@ -21,16 +21,22 @@ Error with_file(Error error, const std::string& path) {
 }
 
 Result<TetrahedraFile> read_tetgen_pair(const std::string& path, const ModelReadOptions& reading) {
-  const std::string stem = path.substr(0, path.rfind('.'));
-  const Result<ModelBytes> nodes = load_model(stem + ".node", reading);
+  const std::vector<std::string> files = files_of_domain_input(path);
+  const Result<ModelBytes> nodes = load_model(files[0], reading);
   if (!nodes) return nodes.error();
-  const Result<ModelBytes> elements = load_model(stem + ".ele", reading);
+  const Result<ModelBytes> elements = load_model(files[1], reading);
   if (!elements) return elements.error();
   return read_tetgen(source_of(nodes->bytes, nodes->name),
                      source_of(elements->bytes, elements->name), reading.limits);
 }
 
 }  // namespace
+
+std::vector<std::string> files_of_domain_input(const std::string& path) {
+  if (!is_of_tetgen(path)) return {path};
+  const std::string stem = path.substr(0, path.rfind('.'));
+  return {stem + ".node", stem + ".ele"};
+}
 
 Result<DomainInput> kind_of_domain_input(const std::string& path, const ModelReadOptions& reading) {
   if (needs_copy(path)) return DomainInput::kPoints;

@@ -17,6 +17,9 @@ enum class DomainInput { kPoints, kMesh, kTetrahedra };
 /// @error kCannotOpen, kOverLimit
 Result<DomainInput> kind_of_domain_input(const std::string& path, const ModelReadOptions& reading);
 
+/// The path, or both of TetGen's files if it is one of them: .node, then .ele.
+std::vector<std::string> files_of_domain_input(const std::string& path);
+
 /// Reads both of TetGen's files if one of them is given. REQUIRES kTetrahedra.
 /// @error as read_medit, read_gmsh and read_tetgen; kCannotOpen
 Result<TetrahedraFile> read_tetrahedra(const std::string& path, const ModelReadOptions& reading);

@@ -14,6 +14,7 @@ namespace veritope::cli {
 
 Result<DmsFile> read_dms_file(const std::string& path, ModelReadOptions reading) {
   reading.kind = ModelKind::kDms;
+  if (path == "-" && !reading.format) reading.format = FormatId(DmsFormat::kDms);
   Result<ModelFile> file = read_model_file(path, reading);
   if (!file) return file.error();
   return std::get<DmsFile>(std::move(*file));
@@ -22,6 +23,8 @@ Result<DmsFile> read_dms_file(const std::string& path, ModelReadOptions reading)
 Status try_dms_outputs(std::vector<std::string> inputs, const std::optional<std::string>& output,
                        const std::optional<std::string>& json) {
   std::erase(inputs, "-");
+  if (output == "-" && json == "-")
+    return bad_argument("--output and --json would both write standard output");
   const Result<OutputPlan> plan = plan_outputs(inputs, std::nullopt, json);
   if (!plan) return plan.error();
   if (output)

@@ -10,6 +10,7 @@
 
 #include "cli/dms_verbs.h"
 #include "cli/line_reader.h"
+#include "cli/progress.h"
 #include "io/base/exact_number.h"
 #include "io/dms/write_dms.h"
 #include "io/points/npy_header.h"
@@ -17,6 +18,7 @@
 #include "report/dms_fit_report.h"
 #include "report/text_style.h"
 #include "robust/base/stopwatch.h"
+#include "solids/dms/dms_similarity.h"
 #include "solids/dms/domain/auto_domain.h"
 #include "solids/dms/domain/gradient_splits.h"
 
@@ -136,25 +138,29 @@ class DmsFitRun {
   Result<ExitCode> fit_auto() {
     const Result<DmsData> data = read_data(options_.data, options_.reading.limits);
     if (!data) return data.error();
+    const DmsSimilarity units = similarity_of(data->points);
     std::vector<ExactPoint3> points;
-    for (const DmsPoint& p : data->points) points.emplace_back(p);
-    Result<AutoDomain> made = auto_domain(points, {});
+    for (const DmsPoint& p : data->points) points.emplace_back(units.to_unit(p));
+    Result<AutoDomain> made =
+        with_progress(options_.data, "making the domain", [&] { return auto_domain(points, {}); });
     if (!made) {
       complain(harmless(options_.data + ": " + made.error().message));
       return made.error().code == Code::kBadArgument ? kExitInvalid : kExitUnreadable;
     }
     DmsFitAuto& out = report_.automatic.emplace();
     out.kind = auto_domain_name(made->kind);
-    out.spacing = made->spacing;
+    out.spacing = scaled_up(made->spacing, units.exponent);
     out.vertices = made->model.clouds.size();
     out.tetrahedra = made->model.tetrahedra.size();
     if (options_.max_tetrahedra || options_.fit.tolerance) {
-      Result<GradientSplits> split = split_domain(*data, points, *made);
+      Result<GradientSplits> split = with_progress(options_.data, "splitting tetrahedra", [&] {
+        return split_domain(*data, points, *made);
+      });
       if (!split) return split.error();
       out.gradient_splits = split->inserted;
       made->model = std::move(split->model);
     }
-    return fit(made->model, *data, options_.data);
+    return fit(units.from_unit(std::move(made->model)), *data, options_.data);
   }
   Result<GradientSplits> split_domain(const DmsData& data, const std::vector<ExactPoint3>& points,
                                       const AutoDomain& domain) const {
@@ -179,7 +185,8 @@ class DmsFitRun {
       options.max_tetrahedra = *options_.max_tetrahedra;
     else if (options.tolerance)
       options.max_tetrahedra = std::max(kDefaultTetrahedra, domain.tetrahedra.size());
-    Result<DmsFit> result = fit_dms(domain, data, options);
+    Result<DmsFit> result =
+        with_progress(options_.data, "fitting", [&] { return fit_dms(domain, data, options); });
     if (!result) {
       complain(harmless(name + ": " + result.error().message));
       return result.error().code == Code::kBadArgument ? kExitInvalid : kExitUnreadable;

@@ -6,6 +6,7 @@
 
 #include "cli/dms_verbs.h"
 #include "cli/option_groups.h"
+#include "cli/progress.h"
 #include "io/base/exact_number.h"
 #include "io/formats.h"
 #include "io/mesh/write_mesh.h"
@@ -85,7 +86,9 @@ class DmsIsoRun {
     options.within = report_.within;
     options.in_solid = options_.in_solid;
     if (options_.max_cells) options.max_cells = static_cast<std::size_t>(*options_.max_cells);
-    Result<DmsIso> iso = find_dms_iso(*component.spline, options, kMaxListed);
+    Result<DmsIso> iso = with_progress(options_.model, "finding the surface", [&] {
+      return find_dms_iso(*component.spline, options, kMaxListed);
+    });
     if (!iso) return in_dms_model(iso.error(), options_.model);
     report_.iso = std::move(*iso);
     return ok_status();

@@ -9,6 +9,7 @@
 #include "cli/dms_verbs.h"
 #include "cli/option_groups.h"
 #include "cli/output_plan.h"
+#include "cli/progress.h"
 #include "io/base/exact_number.h"
 #include "io/dms/write_dms.h"
 #include "report/dms_refine_report.h"
@@ -98,7 +99,8 @@ class DmsRefineRun {
                     ": refine needs shared control points, and these are separate");
     DmsCloud cloud{*options_.at};
     cloud.insert(cloud.end(), options_.others.begin(), options_.others.end());
-    Result<DmsInsertion> inserted = insert_dms_vertex(model, cloud);
+    Result<DmsInsertion> inserted = with_progress(options_.model, "inserting the vertex",
+                                                  [&] { return insert_dms_vertex(model, cloud); });
     if (!inserted) return inserted.error();
     report_.insertion = std::move(*inserted);
     report_.defects = report_.insertion->defects;

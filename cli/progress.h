@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "report/progress_line.h"
+#include "report/report_text.h"
 #include "robust/base/work_share.h"
 
 namespace veritope::cli {
@@ -43,5 +44,13 @@ class Progress {
   bool is_shown_ = false, ends_ = false;
   std::thread thread_;
 };
+
+/// The result of work() while a line says what is done with the file. REQUIRES work that prints nothing.
+template <typename Work>
+auto with_progress(const std::string& file, const std::string& what, Work work) {
+  Progress progress(true);
+  progress.phase(report::shown_path(file), what);
+  return work();
+}
 
 }  // namespace veritope::cli

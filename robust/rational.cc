@@ -22,7 +22,8 @@ std::uint64_t rounded_magnitude(const Integer& numerator, const Integer& den, Di
   // 2^(e-1) < num / den < 2^(e+1)
   const std::int64_t e =
       static_cast<std::int64_t>(num.bit_length()) - static_cast<std::int64_t>(den.bit_length());
-  const auto scaled_floor = [&](std::int64_t exponent, Integer& remainder) {
+  bool is_exact = false;
+  const auto scaled_floor = [&](std::int64_t exponent, Integer& twice_excess) {
     // floor(num / den / 2^exponent)
     Integer n = num;
     Integer d = den;
@@ -32,10 +33,10 @@ std::uint64_t rounded_magnitude(const Integer& numerator, const Integer& den, Di
       d.shift_left(static_cast<std::uint64_t>(exponent));
     }
     Integer q = floor_divide(n, d);
-    remainder = n - q * d;
-    // Compare twice the remainder with the divisor.
-    remainder.shift_left(1);
-    remainder -= d;
+    twice_excess = n.subtract_product(q, d);
+    is_exact = twice_excess.is_zero();
+    twice_excess.shift_left(1);
+    twice_excess -= d;
     return q;
   };
   if (e > 1100) return direction == Direction::kTowardZero ? kMaxFiniteBits : kInfinityBits;
@@ -55,16 +56,22 @@ std::uint64_t rounded_magnitude(const Integer& numerator, const Integer& den, Di
   if (direction == Direction::kNearest) {
     up = half == Sign::kPositive || (half == Sign::kZero && (m & 1) != 0);
   } else if (direction == Direction::kAwayFromZero) {
-    // The remainder is zero iff m * 2^lsb is the value itself.
-    Rational exact(q);
-    exact *= Rational::power_of_two(lsb);
-    up = exact != Rational(num, den);
+    up = !is_exact;
   }
   return bits + (up ? 1 : 0);
 }
 
 std::uint64_t rounded_magnitude(const Rational& a, Direction direction) {
   return rounded_magnitude(a.numerator(), a.denominator(), direction);
+}
+
+// Divides both by their greatest common divisor. REQUIRES that they are not both 0.
+void cancel(Integer& a, Integer& b) noexcept {
+  if (a == Integer(1) || b == Integer(1)) return;
+  const Integer common = gcd(a, b);
+  if (common == Integer(1)) return;
+  a = divide_exactly(a, common);
+  b = divide_exactly(b, common);
 }
 
 double with_sign(std::uint64_t magnitude, bool negative) {
@@ -79,11 +86,7 @@ Rational& Rational::canonicalise() noexcept {
     den_.negate();
   }
   if (den_ == Integer(1)) return *this;
-  const Integer g = gcd(num_, den_);
-  if (g != Integer(1)) {
-    num_ = divide_exactly(num_, g);
-    den_ = divide_exactly(den_, g);
-  }
+  cancel(num_, den_);
   return *this;
 }
 
@@ -105,31 +108,64 @@ Rational Rational::power_of_two(std::int64_t n) noexcept {
   return r;
 }
 
-Rational& Rational::operator+=(const Rational& b) noexcept {
+// Lowest terms by smaller divisors than that of the result (Henrici 1956; Knuth, The Art of Computer Programming, volume
+// 2, section 4.5.1): with g = gcd(den_, b.den_) a common factor of the sum's numerator and of den_ b.den_ / g divides g.
+// Canonical fractions with different denominators have no sum 0.
+Rational& Rational::add(const Rational& b, bool is_difference) noexcept {
+  const auto add_to_numerator = [&](const Integer& factor) {
+    is_difference ? num_.subtract_product(b.num_, factor) : num_.add_product(b.num_, factor);
+  };
   if (den_ == b.den_) {
-    num_ += b.num_;
-  } else {
-    num_ = num_ * b.den_ + b.num_ * den_;
-    den_ *= b.den_;
+    is_difference ? num_ -= b.num_ : num_ += b.num_;
+    return canonicalise();
   }
-  return canonicalise();
-}
-Rational& Rational::operator-=(const Rational& b) noexcept {
-  if (den_ == b.den_) {
-    num_ -= b.num_;
-  } else {
-    num_ = num_ * b.den_ - b.num_ * den_;
+  const Integer common = gcd(den_, b.den_);
+  if (common == Integer(1)) {
+    num_ *= b.den_;
+    add_to_numerator(den_);
     den_ *= b.den_;
+    return *this;
   }
-  return canonicalise();
+  const Integer own = divide_exactly(den_, common), other = divide_exactly(b.den_, common);
+  num_ *= other;
+  add_to_numerator(own);
+  const Integer superfluous = gcd(num_, common);
+  if (superfluous == Integer(1)) {
+    den_ *= other;
+  } else {
+    num_ = divide_exactly(num_, superfluous);
+    den_ = own * other * divide_exactly(common, superfluous);
+  }
+  return *this;
 }
+Rational& Rational::operator+=(const Rational& b) noexcept { return add(b, false); }
+Rational& Rational::operator-=(const Rational& b) noexcept { return add(b, true); }
+
+// Common factors of the product's terms are those of one numerator and the other denominator.
 Rational& Rational::operator*=(const Rational& b) noexcept {
-  num_ *= b.num_;
-  den_ *= b.den_;
-  return canonicalise();
+  if (&b == this) {
+    num_ *= num_;
+    den_ *= den_;
+    return *this;
+  }
+  Integer factor = b.num_, divisor = b.den_;
+  cancel(num_, divisor);
+  cancel(factor, den_);
+  num_ *= factor;
+  den_ *= divisor;
+  return *this;
 }
 Rational& Rational::operator/=(const Rational& b) {
-  return *this = Rational(num_ * b.den_, den_ * b.num_);
+  VT_CHECK(!b.num_.is_zero(), "division by zero");
+  Integer factor = b.den_, divisor = b.num_;
+  cancel(num_, divisor);
+  cancel(factor, den_);
+  num_ *= factor;
+  den_ *= divisor;
+  if (den_.sign() == Sign::kPositive) return *this;
+  num_.negate();
+  den_.negate();
+  return *this;
 }
 Rational& Rational::negate() noexcept {
   num_.negate();

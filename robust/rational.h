@@ -53,6 +53,7 @@ class Rational {
  private:
   // Lowest terms, positive denominator. REQUIRES den_ != 0.
   Rational& canonicalise() noexcept;
+  Rational& add(const Rational& b, bool is_difference) noexcept;
 
   Integer num_;
   Integer den_;

@@ -67,8 +67,12 @@ class DmsReader : SplineJsonLexer {
            fail(p_, Code::kOverLimit, "more than " + std::to_string(most) + " " + what);
   }
   // Passes on what a part lacks, with the line of the part.
+  // What a file has is never wrong usage.
   bool accept(const char* at, const Status& status) {
-    return status.has_value() || fail_with(at, status.error());
+    if (status) return true;
+    Error error = status.error();
+    if (error.code == Code::kBadArgument) error.code = Code::kSyntax;
+    return fail_with(at, std::move(error));
   }
 
   DmsModel model_;

@@ -161,7 +161,7 @@ class IsoSearch {
     const int round = ++cells_.cells[number].rounds;
     if (cut_at_knots(number, round, open) || !open) return true;
     const DmsIsoCut cut = choose();
-    cells_.cut(number, cut.edge, cut.place);
+    cells_.cut(number, cut.edge, cut.place, cut.touches);
     return true;
   }
   // Whether the cell was cut there. If it is found to have one polynomial, `open` is what is open then.

@@ -262,6 +262,11 @@ bool IsoCells::cut_at(std::uint32_t a, std::uint32_t b, const Rational& t, bool 
     second.corners[i] = middle;
     first.form = std::move(part.forms.first);
     second.form = std::move(part.forms.second);
+    // Coefficients that are 0 beside a vertex with g = c are to be seen to be 0.
+    if (sign == 0 && first.off == 0 && first.form.is_polynomial()) {
+      first.form = polynomial_on(first);
+      second.form = polynomial_on(second);
+    }
     add_cell(std::move(first));
     add_cell(std::move(second));
   }
@@ -269,10 +274,10 @@ bool IsoCells::cut_at(std::uint32_t a, std::uint32_t b, const Rational& t, bool 
   return true;
 }
 
-void IsoCells::cut(std::uint32_t cell, std::size_t edge, const Rational& place) {
+void IsoCells::cut(std::uint32_t cell, std::size_t edge, const Rational& place, bool may_be_zero) {
   const std::uint32_t a = cells[cell].corners[kDmsEdges[edge][0]],
                       b = cells[cell].corners[kDmsEdges[edge][1]];
-  if (cut_at(a, b, place, false)) return;
+  if (cut_at(a, b, place, may_be_zero)) return;
   for (const int k : {16, 15, 18, 13, 20, 11})
     if (cut_at(a, b, thirty_seconds(k), false)) return;
   cut_at(a, b, thirty_seconds(16), true);

@@ -65,8 +65,9 @@ class IsoCells {
   Rational value_at(const DmsPoint& point);
   DmsPoint between(std::uint32_t a, std::uint32_t b, const Rational& t) const;
 
-  /// Cuts all cells at an edge of a cell, at the place, or if g is c there, at one of a few near the middle.
-  void cut(std::uint32_t cell, std::size_t edge, const Rational& place);
+  /// Cuts all cells at an edge of a cell, at the place, or if g is c there and may not be, at one of a few near
+  /// the middle.
+  void cut(std::uint32_t cell, std::size_t edge, const Rational& place, bool may_be_zero = false);
   /// Forgets supports whose N_γ are 0 on the closed cell: their knots do not reach into it, and they cannot jump.
   void drop_far_supports(std::uint32_t cell);
   /// Finds the shares of the cell's form.

@@ -31,30 +31,6 @@ Interval along(const Slope& s, const Direction& e) {
   return s[0] * Interval(e[0]) + s[1] * Interval(e[1]) + s[2] * Interval(e[2]);
 }
 Direction middle_of(const Slope& s) { return {middle_of(s[0]), middle_of(s[1]), middle_of(s[2])}; }
-// A polynomial's value by its Bernstein coefficients.
-double bernstein_value(std::vector<double> b, double t) {
-  for (std::size_t left = b.size() - 1; left > 0; --left)
-    for (std::size_t k = 0; k < left; ++k) b[k] += t * (b[k + 1] - b[k]);
-  return b[0];
-}
-// Where it changes its sign, if it has unlike ones at 0 and 1.
-std::optional<double> sign_change(const std::vector<double>& b) {
-  if (!(b.front() * b.back() < 0)) return std::nullopt;
-  double low = 0, high = 1;
-  for (int k = 0; k < 60; ++k) {
-    const double t = (low + high) / 2;
-    (bernstein_value(b, t) * b.front() > 0 ? low : high) = t;
-  }
-  return (low + high) / 2;
-}
-// Some 34 bits of the distance from the nearer end.
-Rational few_bits(double t) {
-  const double near = std::max(std::min(t, 1 - t), 0x1p-40);
-  const double unit = std::ldexp(1.0, std::ilogb(near) - 34),
-               rounded = std::round(near / unit) * unit;
-  const Rational distance = Rational::from_double(rounded);
-  return t < 0.5 ? distance : Rational(1) - distance;
-}
 
 }  // namespace
 
@@ -291,78 +267,6 @@ std::optional<DmsCorners> DmsIsoRule::find_open(const DmsIsoForm& form, DmsCorne
         (form.is_polynomial() || sign_by_slopes(form, simplex) == 0))
       return simplex;
   return std::nullopt;
-}
-
-std::size_t DmsIsoRule::widest_edge(const DmsIsoForm& form, DmsCorners corners) const {
-  std::size_t found = 0;
-  double most = -1;
-  const ScopedUpward upward;
-  for (std::size_t e = 0; e < kDmsEdges.size(); ++e) {
-    const auto [i, j] = kDmsEdges[e];
-    if ((corners >> i & 1) == 0 || (corners >> j & 1) == 0) continue;
-    double low = 0, high = 0;
-    bool is_first = true;
-    for (std::size_t r = 0; r < raised_.size(); ++r) {
-      if ((used_[r] & ~corners) != 0) continue;
-      const double slope =
-          middle_of(form.coefficients[raised_[r][j]]) - middle_of(form.coefficients[raised_[r][i]]);
-      low = is_first ? slope : std::min(low, slope);
-      high = is_first ? slope : std::max(high, slope);
-      is_first = false;
-    }
-    // How much the N_γ change along the edge, times how much their r_γ do in the cell.
-    double rest = 0;
-    for (std::size_t s = 0; s < form.supports.size(); ++s) {
-      const Interval* r = &form.rests[4 * s];
-      double change = 0;
-      for (std::size_t m = 1; m < 4; ++m)
-        change = std::max(change, std::abs(middle_of(r[m]) - middle_of(r[0])));
-      rest += change * std::abs(form.shares[4 * s + i] - form.shares[4 * s + j]);
-    }
-    const double varies = high - low + rest;
-    if (varies > most) most = varies, found = e;
-  }
-  return found;
-}
-
-// Where g has an extremum along the edge that is not near an end; with `extrema_first`, one where g - c has another
-// sign than at an end, if the level is not much farther from that end. Near such an end halfway between it and the
-// level; else the middle.
-DmsIsoCut DmsIsoRule::cut_of_edge(const DmsIsoForm& form, std::size_t edge,
-                                  bool extrema_first) const {
-  constexpr double kMuchFarther = 64, kNearEnd = 1.0 / 16, kNearLevel = 1.0 / 4, kFlat = 1.0 / 16;
-  const DmsIsoCut middle{edge, Rational(1) / Rational(2), false};
-  if (!form.is_polynomial() || degree_ < 2) return middle;
-  std::vector<double> values, slopes;
-  for (const Interval& x : along_edge(form, edge)) values.push_back(middle_of(x));
-  for (std::size_t k = 0; k + 1 < values.size(); ++k) slopes.push_back(values[k + 1] - values[k]);
-  const auto extremum = sign_change(slopes), level = sign_change(values);
-  const double most = extremum ? bernstein_value(values, *extremum) : 0;
-  const double from_end = extremum ? std::min(*extremum, 1 - *extremum) : 0;
-  if (!extrema_first && from_end > kNearEnd) return {edge, few_bits(*extremum), true};
-  if (extrema_first && extremum && (most * values.front() < 0 || most * values.back() < 0)) {
-    const double to_level = !level ? 1 : *extremum < 0.5 ? *level : 1 - *level;
-    if (kMuchFarther * from_end > to_level) return {edge, few_bits(*extremum), true};
-  }
-  if (!level) return middle;
-  const bool is_flat_at_0 = std::abs(slopes.front()) < kFlat * std::abs(slopes.back());
-  const bool is_flat_at_1 = std::abs(slopes.back()) < kFlat * std::abs(slopes.front());
-  if (is_flat_at_0 && *level < kNearLevel) return {edge, few_bits(*level / 2), false};
-  if (is_flat_at_1 && *level > 1 - kNearLevel) return {edge, few_bits((1 + *level) / 2), false};
-  return middle;
-}
-
-// With `extrema_first` an edge with an extremum on which g - c is not proved to keep its sign. Where there is not any,
-// the edge along which the derivative varies most.
-DmsIsoCut DmsIsoRule::choose_cut(const DmsIsoForm& form, DmsCorners corners,
-                                 bool extrema_first) const {
-  for (std::size_t e = 0; extrema_first && e < kDmsEdges.size(); ++e) {
-    const DmsCorners ends = 1u << kDmsEdges[e][0] | 1u << kDmsEdges[e][1];
-    if ((ends & ~corners) != 0 || sign_on(form, ends) != 0) continue;
-    DmsIsoCut cut = cut_of_edge(form, e, true);
-    if (cut.is_extremum) return cut;
-  }
-  return cut_of_edge(form, widest_edge(form, corners), extrema_first);
 }
 
 std::pair<DmsIsoForm, DmsIsoForm> DmsIsoRule::cut(const DmsIsoForm& form, std::size_t edge,

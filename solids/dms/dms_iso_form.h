@@ -56,6 +56,7 @@ struct DmsIsoCut {
   std::size_t edge = 0;
   Rational place;
   bool is_extremum = false;  ///< g has an extremum along the edge there
+  bool touches = false;      ///< which may be c itself
 };
 
 /// Works on forms of one degree. @cost of each function: linear in the numbers of a form, but for find_open
@@ -77,7 +78,7 @@ class DmsIsoRule {
   std::optional<DmsCorners> find_open(const DmsIsoForm& form, DmsCorners zeros = 0) const;
   /// What bounds the derivative on a simplex, along the edges from its corner `first` to the others, ascending.
   DmsIsoSlopes slopes(const DmsIsoForm& form, DmsCorners corners, std::size_t first) const;
-  /// Where to cut next, if a simplex is open; with `extrema_first` at an extremum of any edge on which g - c is not
+  /// Where to cut next, if a simplex is open: where the level may touch an edge; with `extrema_first` at an extremum of any edge on which g - c is not
   /// proved to keep its sign. Nothing is proved of the place. REQUIRES two corners or more.
   DmsIsoCut choose_cut(const DmsIsoForm& form, DmsCorners corners, bool extrema_first) const;
   /// The forms of the parts with the point (1 - t) a + t b in the place of b, and of a, for the corners a, b of an
@@ -89,6 +90,9 @@ class DmsIsoRule {
  private:
   struct Mixture;
   std::size_t widest_edge(const DmsIsoForm& form, DmsCorners corners) const;
+  std::optional<DmsIsoCut> find_touch(const DmsIsoForm& form, DmsCorners corners) const;
+  std::optional<DmsIsoCut> touch_of_edge(const DmsIsoForm& form, std::size_t edge) const;
+  std::optional<DmsIsoCut> touch_of_face(const DmsIsoForm& form, DmsCorners face) const;
   DmsIsoCut cut_of_edge(const DmsIsoForm& form, std::size_t edge, bool extrema_first) const;
   int sign_by_slopes(const DmsIsoForm& form, DmsCorners corners) const;
   static Mixture mixture(const DmsIsoForm& form, DmsCorners corners);

@@ -226,7 +226,7 @@ class JacobianProof {
     const std::vector<DmsSupport> supports = region.supports();
     std::vector<const EnclosedMatrix*> all;
     for (const DmsSupport& support : supports) all.push_back(&derivative(support));
-    if (auto matrix = find_monotone_matrix(all)) return DmsLeaf{false, std::move(*matrix)};
+    if (auto matrix = find_monotone_matrix(all, corners)) return DmsLeaf{false, std::move(*matrix)};
     if (region.find_cut(supports)) return std::nullopt;
     return find_polynomial_leaf(corners, determinant);
   }
@@ -237,7 +237,7 @@ class JacobianProof {
     const std::vector<EnclosedMatrix> derivatives(exact->begin(), exact->end());
     std::vector<const EnclosedMatrix*> all;
     for (const EnclosedMatrix& d : derivatives) all.push_back(&d);
-    if (auto matrix = find_monotone_matrix(all)) return DmsLeaf{true, std::move(*matrix)};
+    if (auto matrix = find_monotone_matrix(all, corners)) return DmsLeaf{true, std::move(*matrix)};
     determinant = determinant_of(model_.degree - 1, *exact);
     return std::nullopt;
   }

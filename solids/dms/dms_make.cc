@@ -97,7 +97,8 @@ Result<DmsModel> make_dms(const DmsModel& domain, const DmsMakeOptions& options)
     return bad_argument("the radius of clouds must not be negative");
   if (const Status status = check_identity(domain); !status) return status.error();
   if (const DmsDefects defects = find_dms_defects(domain, 1); defects.count > 0)
-    return bad_argument("the domain has defects: " + to_string(defects.first[0]));
+    return bad_argument(std::string("the domain has defects: ") +
+                        fault_name(defects.first[0].fault) + ": " + to_string(defects.first[0]));
   DmsModel model{options.degree, domain.attributes, domain.clouds, domain.tetrahedra, {}};
   for (DmsCloud& cloud : model.clouds) cloud.resize(1);
   if (options.clouds) internal::draw_clouds(model, *options.clouds);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kMaxTurns = 60;
 constexpr double kLargestEntry = 1 << 19;
+constexpr int kLongBits = 40, kMostDenominator = 60;  // exponents of two
 
 using Plain = std::array<double, 9>;
 
@@ -96,13 +97,57 @@ double norm_of(const Plain& m) {
   return std::sqrt(sum);
 }
 
-DmsMatrix short_matrix(const Plain& r) {
+Plain product(const Plain& a, const Plain& b) {
+  Plain out{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k) out[3 * i + j] += a[3 * i + k] * b[3 * k + j];
+  return out;
+}
+Plain transposed(const Plain& m) { return {m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]}; }
+Plain divided(Plain m, double by) {
+  for (double& x : m) x /= by;
+  return m;
+}
+double largest_of(const Plain& m) {
   double most = 0;
-  for (const double x : r) most = std::max(most, std::abs(x));
+  for (const double x : m) most = std::max(most, std::abs(x));
+  return most;
+}
+
+// The edges of the tetrahedron as those of a regular one take them.
+Plain frame_of(const std::array<DmsPoint, 4>& corners) {
+  // The inverse of the edges (1, 0, 0), (1/2, sqrt(3)/2, 0), (1/2, sqrt(3)/6, sqrt(2/3)), columns of a matrix.
+  const double a = std::sqrt(3.0), b = std::sqrt(1.5);
+  const Plain regular = {1, -1 / a, -b / 3, 0, 2 / a, -b / 3, 0, 0, b};
+  Plain edges;
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t m = 0; m < 3; ++m)
+      edges[3 * c + m] = nearest_double(corners[m + 1][c] - corners[0][c]);
+  return product(edges, regular);
+}
+
+DmsMatrix short_matrix(const Plain& r) {
+  const double most = largest_of(r);
   DmsMatrix out;
   if (!(most > 0) || !std::isfinite(most)) return out;
   for (std::size_t i = 0; i < 9; ++i)
     out[i] = Rational(static_cast<std::int64_t>(std::round(r[i] / most * kLargestEntry)));
+  return out;
+}
+// Forty bits of each entry that is not too small for that: the greatest one is below 2^20.
+DmsMatrix long_matrix(const Plain& r) {
+  const double most = largest_of(r);
+  DmsMatrix out;
+  if (!(most > 0) || !std::isfinite(most)) return out;
+  for (std::size_t i = 0; i < 9; ++i) {
+    int exponent = 0;
+    const double x = std::frexp(r[i] / most * kLargestEntry, &exponent);
+    const int bits = std::min(kLongBits, kMostDenominator + exponent);
+    if (bits <= 0) continue;
+    out[i] = Rational(static_cast<std::int64_t>(std::round(std::ldexp(x, bits)))) *
+             Rational::power_of_two(exponent - bits);
+  }
   return out;
 }
 
@@ -140,35 +185,53 @@ bool is_monotone(const EnclosedMatrix& r, const EnclosedMatrix& g) {
   return true;
 }
 
-std::optional<DmsMatrix> find_monotone_matrix(std::span<const EnclosedMatrix* const> all) {
-  std::vector<Plain> plain;
-  Plain mean{};
+std::optional<DmsMatrix> find_monotone_matrix(std::span<const EnclosedMatrix* const> all,
+                                              const std::array<DmsPoint, 4>& corners) {
+  Plain frame = frame_of(corners);
+  frame = divided(frame, largest_of(frame));
+  const std::optional<Plain> back = inverse_of(frame);
+  if (!back) return std::nullopt;
+  std::vector<Plain> k;
+  double most = 0;
   for (const EnclosedMatrix* const g : all) {
-    Plain p = approximate(*g);
-    const double norm = norm_of(p);
-    if (!(norm > 0) || !std::isfinite(norm)) return std::nullopt;
-    for (double& x : p) x /= norm;
-    plain.push_back(p);
-    for (std::size_t i = 0; i < 9; ++i) mean[i] += p[i];
+    k.push_back(product(approximate(*g), frame));
+    most = std::max(most, largest_of(k.back()));
   }
-  std::optional<Plain> r = inverse_of(mean);
-  if (!r) return std::nullopt;
-  const double size = norm_of(*r);
-  for (double& x : *r) x /= size;
-  // A turn raises the least eigenvalue of the worst product: its derivative by R is 2 x (G x)^T, x its direction.
-  for (int turn = 0; turn <= kMaxTurns; ++turn) {
-    const Worst worst = worst_of(*r, plain);
-    if (worst.value > 0) {
-      const EnclosedMatrix candidate(short_matrix(*r));
-      if (is_monotone_with_all(candidate, all)) return candidate.exact;
+  if (!(most > 0) || !std::isfinite(most)) return std::nullopt;
+  for (Plain& m : k) m = divided(m, most);
+  // The second mean is that of matrices of one size.
+  Plain to_space = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  for (int i = 0; i < 2; ++i) {
+    Plain mean{};
+    for (Plain& m : k) {
+      const double norm = i == 0 ? static_cast<double>(k.size()) : norm_of(m);
+      if (!(norm > 0) || !std::isfinite(norm)) return std::nullopt;
+      if (i == 1) m = divided(m, norm);
+      for (std::size_t e = 0; e < 9; ++e) mean[e] += i == 0 ? m[e] / norm : m[e];
     }
-    const Plain& g = plain[worst.at];
+    const std::optional<Plain> inverse = inverse_of(mean);
+    if (!inverse) return std::nullopt;
+    for (Plain& m : k) m = product(*inverse, m);
+    to_space = product(*inverse, to_space);
+  }
+  for (Plain& m : k) m = divided(m, norm_of(m));
+  const Plain from_frame = transposed(*back);
+  Plain q = divided({1, 0, 0, 0, 1, 0, 0, 0, 1}, std::sqrt(3.0));
+  // A turn raises the least eigenvalue of the worst product: its derivative by Q is 2 x (K x)^T, x its direction.
+  for (int turn = 0; turn <= kMaxTurns; ++turn) {
+    const Worst worst = worst_of(q, k);
+    if (worst.value > 0) {
+      const Plain r = product(product(from_frame, q), to_space);
+      for (const DmsMatrix& rounded : {short_matrix(r), long_matrix(r)})
+        if (const EnclosedMatrix candidate(rounded); is_monotone_with_all(candidate, all))
+          return candidate.exact;
+    }
+    const Plain& m = k[worst.at];
     const auto& x = worst.direction;
     const double step = 0.25 / (1 + turn);
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
-        (*r)[3 * i + j] +=
-            step * x[i] * (g[3 * j] * x[0] + g[3 * j + 1] * x[1] + g[3 * j + 2] * x[2]);
+        q[3 * i + j] += step * x[i] * (m[3 * j] * x[0] + m[3 * j + 1] * x[1] + m[3 * j + 2] * x[2]);
   }
   return std::nullopt;
 }

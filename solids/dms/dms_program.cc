@@ -43,12 +43,8 @@ class RoundedTable {
       const std::array<std::array<double, 3>, 4> at{points_[four[0]], points_[four[1]],
                                                     points_[four[2]], points_[four[3]]};
       auto frame = simplex_frame<double>(four, at, Sign::kPositive);
-      double longest = 0;
-      for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t c = 0; c < 3; ++c)
-          longest = std::max(longest, std::abs(at[i][c] - at[(i + 1) % 4][c]));
       frame.height = std::abs(frame.height);
-      if (std::abs(frame.volume) > kFlat * longest * longest * longest) place->second = frame;
+      if (!is_nearly_flat(frame, at)) place->second = frame;
     }
     return place->second ? &*place->second : nullptr;
   }
@@ -133,6 +129,15 @@ void build(Table table, int n, bool with_doubled, DmsProgram<R>& program) {
 }
 
 }  // namespace
+
+bool is_nearly_flat(const SimplexFrame<double>& frame,
+                    const std::array<std::array<double, 3>, 4>& points) {
+  double longest = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      longest = std::max(longest, std::abs(points[i][c] - points[(i + 1) % 4][c]));
+  return !(std::abs(frame.volume) > kFlat * longest * longest * longest);
+}
 
 template <Ring R>
 DmsPrograms<R>::DmsPrograms(const DmsModel& model, bool with_doubled)

@@ -63,6 +63,11 @@ template <Ring R>
 std::array<R, 3> program_gradient(const DmsProgram<R>& program, const DmsRun<R>& run,
                                   const typename DmsProgram<R>::Node& node, int degree);
 
+/// Whether rounding may have given the frame of these points its volume: sets of knots with such frames count as flat
+/// in binary64.
+bool is_nearly_flat(const SimplexFrame<double>& frame,
+                    const std::array<std::array<double, 3>, 4>& points);
+
 /// The programs of a model's tetrahedra, each laid out when it is needed first; so one thread at a time.
 template <Ring R>
 class DmsPrograms {
@@ -73,7 +78,7 @@ class DmsPrograms {
   ~DmsPrograms();
 
   /// @cost for the first time the frames of the sets, for intervals exact ones, some 30 us each
-  /// For R = Interval REQUIRES a live ScopedUpward.
+  /// For R = Interval REQUIRES a live ScopedUpward; for R = double, that no W_γ with |γ| = n - 1 is nearly flat.
   const DmsProgram<R>& of(std::uint32_t tetrahedron);
 
  private:

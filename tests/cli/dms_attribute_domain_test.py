@@ -210,6 +210,13 @@ class AttributeDomain(Folder):
         with_own = json.loads(done.stdout)["files"][0]
         for key in "verdict", "counts", "shells", "volume":
             self.assertEqual(with_own[key], alone[key])
+        # Folded at the vertex 1, whatever the attribute domain is.
+        entry = next(c for c in model["control"] if c["at"] == [1, 1])
+        entry["value"][0] = "-1"
+        model["attribute_domain"]["tetrahedra"][0].reverse()
+        done = run("certify", self.write(model), "--json", "-", cwd=self.folder)
+        self.assertEqual(done.returncode, 1, done)
+        self.assertEqual(json.loads(done.stdout)["files"][0]["defects"][0]["code"], "jacobian")
 
 
 if __name__ == "__main__":

@@ -186,6 +186,18 @@ class DmsDomain(Folder):
             self.assertEqual(done.returncode, 2, done)
             self.assertIn(why, " ".join(done.stderr.split()))
 
+    def test_neither_of_tetgens_files_is_overwritten(self):
+        texts = {"t.node": "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n", "t.ele": "1 4 0\n0 0 1 2 3\n"}
+        for name, content in texts.items():
+            (self.folder / name).write_text(content)
+        for options in (("t.node", "-o", "t.ele"), ("t.ele", "-o", "t.node"), ("t.node", "-o", "o.vdms", "--json", "t.ele")):
+            done = run("dms", "domain", *options, cwd=self.folder)
+            self.assertEqual(done.returncode, 2, done)
+            self.assertIn("is the input t.", done.stderr)
+        for name, content in texts.items():
+            self.assertEqual((self.folder / name).read_text(), content)
+        self.assertEqual(run("dms", "domain", "t.node", "-o", "o.vdms", cwd=self.folder).returncode, 0)
+
     def test_points_without_a_domain_are_refused(self):
         for points, why in (([[0, 0, 0]] * 9, "all 9 points lie in one plane"),
                             ([[i, i * i, 0] for i in range(30)], "all 30 points lie in one plane"),

@@ -7,6 +7,7 @@ import sys
 import unittest
 
 import schema
+import terminal
 from support import MODELS, ROOT, Folder, run
 
 sys.path.insert(0, str(ROOT / "tests" / "support"))
@@ -54,6 +55,12 @@ class DmsIso(Folder):
         for k in range(answer["vertices"]):
             x, y, z = numbers[3 * k:3 * k + 3]
             self.assertAlmostEqual(math.dist((x, y, z), (1 / 10, -1 / 7, 1 / 9)), 0.5, delta=1e-14)
+
+    def test_a_terminal_shows_what_takes_long(self):
+        shown = terminal.run_on_terminal("dms", "iso", self.model, "--attribute", "a", "--level", "1/4", "--within", "1/100", "--max-cells", "60000",
+                                         "-o", self.folder / "f.off")
+        self.assertIn("m.vdms: finding the surface", shown)
+        self.assertRegex(shown.splitlines()[-1], "cells are in doubt$")
 
     def test_smaller_cells_make_more_triangles_and_the_same_surface(self):
         coarse, fine = self.iso(), self.iso(within="0.3")

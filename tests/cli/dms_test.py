@@ -197,6 +197,30 @@ class Dms(Folder):
         self.assertIn("line 20", done.stderr)
         self.assertFalse((self.folder / "x.vdms").exists())
 
+    def test_a_model_that_is_none_is_a_fault_of_the_file_for_every_verb(self):
+        def changed(change):
+            model = json.loads(TETRAHEDRON.read_text())
+            change(model)
+            return model
+
+        (self.folder / "s.json").write_text("[]")
+        for change in (lambda m: m.update(degree=0), lambda m: m["control"].pop(), lambda m: m["control"].append(m["control"][0]),
+                       lambda m: m["vertices"].__setitem__(0, []), lambda m: m["tetrahedra"].__setitem__(0, [0, 0, 1, 2])):
+            (self.folder / "bad.vdms").write_text(json.dumps(changed(change)))
+            for verb in (("eval", "bad.vdms", "-"), ("make", "bad.vdms", "-o", "x.vdms", "--degree", "2"), ("boundary", "bad.vdms", "-o", "x.vjson"),
+                         ("edit", "bad.vdms", "s.json", "-o", "x.vdms"), ("refine", "bad.vdms", "--at", "1/4,1/4,1/4", "-o", "x.vdms")):
+                done = run("dms", *verb, input="0 0 0\n", cwd=self.folder)
+                self.assertEqual(done.returncode, 4, done)
+                self.assertRegex(" ".join(done.stderr.split()), r"bad\.vdms: line 1")
+
+    def test_standard_input_is_a_model_and_standard_output_has_one_document(self):
+        done = run("dms", "make", "-", "-o", "-", "--degree", "2", input=DOMAIN.read_text(), cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done)
+        self.assertEqual(done.stdout, self.make("--degree", "2")[0].read_text())
+        done = run("dms", "refine", DOMAIN, "--at", "1/4,1/4,1/5", "-o", "-", "--json", "-", cwd=self.folder)
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done)
+        self.assertIn("--output and --json would both write standard output", " ".join(done.stderr.split()))
+
     def test_help_of_verbs_fits_and_their_options_are_on_the_page(self):
         page = (ROOT / "docs" / "cli" / "dms.md").read_text()
         for verb in "eval", "make":

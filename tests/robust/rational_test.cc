@@ -91,8 +91,7 @@ TEST(Rational, RoundsQuotientsThatAreNotInLowestTerms) {
     if (!is_finite(a) || !is_finite(b) || b == 0) continue;
     const Rational q = Rational::from_double(a) / Rational::from_double(b);
     const Integer factor(random.between(1, 1'000'000'000));
-    ASSERT_EQ(nearest_quotient(q.numerator() * factor, q.denominator() * factor),
-              nearest_double(q))
+    ASSERT_EQ(nearest_quotient(q.numerator() * factor, q.denominator() * factor), nearest_double(q))
         << i;
   }
   EXPECT_EQ(nearest_quotient(Integer(0), Integer(6)), 0);
@@ -136,6 +135,43 @@ TEST(Rational, AgreesWithGmpsOwnRationals) {
     ASSERT_TRUE(same(a + b, x + y) && same(a - b, x - y) && same(a * b, x * y));
     ASSERT_TRUE(r == 0 || same(a / b, x / y));
     ASSERT_EQ(a < b, x < y);
+  }
+}
+
+// Products of small primes: numerators and denominators have many common factors, and up to some hundred bits.
+TEST(Rational, IsInLowestTermsAfterEachOperation) {
+  Random random(10);
+  const auto draw = [&] {
+    Integer out(random.between(0, 19) == 0 ? 0 : random.between(0, 1) == 0 ? 1 : -1);
+    for (std::int64_t i = random.between(0, 60); i > 0; --i)
+      out *=
+          Integer(std::array{2, 2, 3, 5, 7, 65537}[static_cast<std::size_t>(random.between(0, 5))]);
+    return out;
+  };
+  const auto of_gmp = [](const Integer& p, const Integer& q) {
+    mpq_class out(p.to_string() + "/" + q.to_string());
+    out.canonicalize();
+    return out;
+  };
+  for (int i = 0; i < 3000; ++i) {
+    const Integer p = draw(), r = draw();
+    Integer q = draw(), s = draw();
+    if (q.is_zero()) q = Integer(1);
+    if (s.is_zero()) s = q;
+    const Rational a(p, q), b(r, s);
+    const mpq_class x = of_gmp(p, q), y = of_gmp(r, s);
+    const auto same = [](const Rational& u, const mpq_class& v) {
+      return u.to_string() == v.get_str() && u.denominator().sign() == Sign::kPositive;
+    };
+    ASSERT_TRUE(same(a + b, x + y)) << a.to_string() << " + " << b.to_string();
+    ASSERT_TRUE(same(a - b, x - y)) << a.to_string() << " - " << b.to_string();
+    ASSERT_TRUE(same(a * b, x * y)) << a.to_string() << " * " << b.to_string();
+    if (!r.is_zero()) ASSERT_TRUE(same(a / b, x / y)) << a.to_string() << " / " << b.to_string();
+    Rational c = a;
+    ASSERT_TRUE(same(c += c, x + x) && same(c *= c, 4 * x * x) && same(c -= c, 0)) << a.to_string();
+    c = a;
+    if (!p.is_zero()) ASSERT_TRUE(same(c /= c, 1)) << a.to_string();
+    ASSERT_EQ(a <=> b == 0, x == y);
   }
 }
 

@@ -73,6 +73,80 @@ TEST(DmsFit, ReproducesPolynomialsOfItsDegree) {
   }
 }
 
+// Data and domain moved and scaled exactly.
+TEST(DmsFit, IsTheSameFarFromTheOriginAndInOtherUnits) {
+  const auto value = [](const DmsPoint& p) { return p[0] * p[0] - p[1] * p[2] + ratio(1, 3); };
+  const DmsData data = draw_data(300, {2, 1, 1}, value, 6);
+  const DmsModel domain = box_domain({2, 1, 1});
+  const DmsFit expected = fit(domain, data, {2, {}, {}, false, {}});
+  for (const std::int64_t exponent : {0, 52, 600, -600})
+    for (const std::int64_t offset : {0, 1, 1'000'000'007}) {
+      const Rational factor = Rational::power_of_two(exponent == 52 ? 0 : exponent),
+                     shift = factor * Rational(offset) *
+                             Rational::power_of_two(exponent == 52 ? 22 : 0);
+      const auto move = [&](DmsPoint& p) {
+        for (Rational& x : p) x = shift + factor * x;
+      };
+      DmsModel moved_domain = domain;
+      for (DmsCloud& cloud : moved_domain.clouds) move(cloud[0]);
+      set_control_by_rule(moved_domain, DmsControlRule::kGreville, {});
+      DmsData moved = data;
+      for (DmsPoint& p : moved.points) move(p);
+      for (Rational& x : moved.values) x *= factor;
+      const DmsFit result = fit(moved_domain, moved, {2, {}, {}, false, {}});
+      EXPECT_EQ(result.undetermined, expected.undetermined) << exponent << " " << offset;
+      EXPECT_EQ(result.outside, expected.outside) << exponent << " " << offset;
+      ASSERT_EQ(result.model.clouds, moved_domain.clouds) << exponent << " " << offset;
+      const double size = nearest_double(factor);
+      EXPECT_LE(result.errors.max_error[0], 1e-13 * size) << exponent << " " << offset;
+      DmsEvaluator evaluator(result.model);
+      for (std::size_t i = 0; i < 20; ++i) {
+        const auto at = evaluator.locate(moved.points[i]);
+        ASSERT_TRUE(at);
+        const DmsValue found = evaluator.evaluate(*at);
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(found.value[c], moved.points[i][c]);
+        EXPECT_LE(nearest_double(abs(found.value[3] - moved.values[i])), 1e-13 * size);
+      }
+    }
+}
+
+// Tetrahedra whose volume binary64 does not see, as domains of real meshes have some.
+TEST(DmsFit, DataLieInFlatTetrahedra) {
+  const auto value = [](const DmsPoint& p) {
+    return p[0] + Rational(2) * p[1] - p[2] + ratio(1, 3);
+  };
+  for (const int bits : {20, 40, 66, 200})
+    for (const int degree : {1, 2, 3}) {
+      const Rational height = Rational::power_of_two(-bits);
+      DmsModel domain;
+      domain.degree = 1;
+      domain.clouds = {
+          {{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{ratio(1, 3), ratio(1, 3), height}}, {{0, 0, 1}}};
+      domain.tetrahedra = {{0, 1, 2, 3}, {0, 1, 3, 4}, {1, 2, 3, 4}, {2, 0, 3, 4}};
+      set_control_by_rule(domain, DmsControlRule::kGreville, {});
+      DmsData data;
+      for (int i = 1; i < 7; ++i)
+        for (int k = 1; i + k < 8; ++k)
+          for (int z = 0; z < 5; ++z) {
+            DmsPoint p{ratio(i, 8), ratio(k, 8), z == 0 ? height / Rational(20) : ratio(z, 40)};
+            data.values.push_back(value(p));
+            data.points.push_back(std::move(p));
+          }
+      const DmsFit result = fit(domain, data, {degree, {}, {}, false, {}});
+      EXPECT_LE(result.errors.max_error[0], 1e-9) << bits << " " << degree;
+      EXPECT_LE(result.errors.geometry_mse, 1e-20) << bits << " " << degree;
+    }
+}
+
+TEST(DmsFit, FitsNumbersNearTheEndOfBinary64) {
+  const auto value = [](const DmsPoint& p) {
+    return Rational::from_double(1e308) * (p[0] - p[1]) / Rational(2);
+  };
+  const DmsFit result =
+      fit(box_domain({1, 1, 1}), draw_data(100, {1, 1, 1}, value, 2), {1, {}, {}, false, {}});
+  EXPECT_LE(result.errors.max_error[0], 1e294);
+}
+
 // The bounds are above the errors of the model's exact values, and by little.
 TEST(DmsFit, MeasuresTheModelAsItIs) {
   const DmsData data = draw_data(60, {1, 1, 1}, bump, 1);

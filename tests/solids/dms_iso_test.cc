@@ -9,6 +9,7 @@
 
 #include "solids/dms/dms_evaluator.h"
 #include "solids/dms/dms_iso_form.h"
+#include "solids/dms/dms_make.h"
 #include "tests/support/dms_laws.h"
 #include "tests/support/dms_level_sets.h"
 
@@ -36,6 +37,43 @@ TEST(DmsIso, QuadricsAndSheetsHaveTheirTopology) {
     for (const bool is_moved : {false, true}) {
       const LevelSet set = draw_level_set(7, kind, false, is_moved);
       expect_topology(set, find(set));
+    }
+}
+
+// Spheres with rational numbers in one tetrahedron whose middles and thirds are on them or beside them: cuts touch them
+// at rational points.
+TEST(DmsIso, SpheresThatCutsTouch) {
+  DmsModel model;
+  model.degree = 2;
+  model.attributes = {"a"};
+  model.clouds = {{{-3, -3, -3}}, {{9, -3, -3}}, {{-3, 9, -3}}, {{-3, -3, 9}}};
+  model.tetrahedra = {{0, 1, 2, 3}};
+  set_control_by_rule(model, DmsControlRule::kGreville, std::vector<Rational>(4));
+  const Rational half = Rational(1) / Rational(2), third = Rational(1) / Rational(3);
+  for (const DmsPoint& centre : {DmsPoint{0, 0, 0},
+                                 {half, half, third},
+                                 {half, third, half},
+                                 {third, 0, half},
+                                 {third, third, third}})
+    for (const Rational& level : {Rational(1) / Rational(4), Rational(1)}) {
+      const auto blossom = [&](const DmsPoint& p, const DmsPoint& q) {
+        Rational sum;
+        for (std::size_t c = 0; c < 3; ++c) sum += (p[c] - centre[c]) * (q[c] - centre[c]);
+        return sum;
+      };
+      std::size_t number = 0;
+      for (std::uint32_t v = 0; v < 4; ++v)
+        for (std::uint32_t w = v; w < 4; ++w)
+          model.control.values[4 * number++ + 3] = blossom(model.knot(v, 0), model.knot(w, 0));
+      DmsIsoOptions options;
+      options.level = level;
+      options.max_cells = 3'000;
+      const DmsIso iso = *find_dms_iso(model, options);
+      const bool is_inside =
+          !(level == Rational(1) && centre[0] + centre[1] + centre[2] > Rational(5) / Rational(4));
+      EXPECT_TRUE(iso.certified) << centre[0].to_string() << " " << level.to_string();
+      EXPECT_EQ(iso.components, 1u);
+      EXPECT_EQ(iso.euler, is_inside ? 2 : 1) << centre[0].to_string() << " " << level.to_string();
     }
 }
 

@@ -45,6 +45,16 @@ std::string text_of(const DmsMatrix& m) {
   return out;
 }
 
+const std::array<DmsPoint, 4> kCorners{DmsPoint{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+DmsMatrix product(const DmsMatrix& a, const DmsMatrix& b) {
+  DmsMatrix out;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k) out[3 * i + j] += cell(a, i, k) * cell(b, k, j);
+  return out;
+}
+
 // PROVES DMS-1.J1
 TEST(DmsMonotone, IsWhatTheLeadingMinorsSay) {
   int yes = 0;
@@ -85,7 +95,7 @@ TEST(DmsMonotone, FindsAMatrixForAllNearARegularOne) {
       for (Rational& x : near) x += Rational(random.between(-9, 9)) / Rational(100);
       all.emplace_back(std::move(near));
     }
-    const auto r = find_monotone_matrix(pointers(all));
+    const auto r = find_monotone_matrix(pointers(all), kCorners);
     if (!r) continue;
     ++found;
     EXPECT_EQ(determinant_of(*r).sign(), Sign::kPositive) << seed;
@@ -94,6 +104,52 @@ TEST(DmsMonotone, FindsAMatrixForAllNearARegularOne) {
       EXPECT_EQ(x.denominator(), Integer(1)) << seed;
     }
     for (const EnclosedMatrix& g : all) EXPECT_TRUE(is_monotone_by_minors(*r, g.exact)) << seed;
+  }
+  EXPECT_GT(found, 100);
+}
+
+// Matrices G become B G A^-1, and the corners A times the corners.
+TEST(DmsMonotone, AffineMapsDoNotChangeWhatIsFound) {
+  constexpr std::array<std::array<int, 3>, 4> kExponents{
+      {{0, 10, -10}, {-12, 3, 8}, {20, 0, 0}, {0, 0, 0}}};
+  int found = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Random random(seed);
+    std::vector<EnclosedMatrix> all, moved;
+    // A shear by up to 300 and powers of two.
+    const Rational shear(random.between(-300, 300));
+    const auto& exponents = kExponents[seed % 4];
+    DmsMatrix a{}, back{}, b{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      a[4 * i] = Rational::power_of_two(exponents[i]);
+      back[4 * i] = Rational::power_of_two(-exponents[i]);
+      b[4 * i] = Rational::power_of_two(exponents[(i + 1) % 3]);
+    }
+    const DmsMatrix sheared{1, shear, 0, 0, 1, 0, 0, 0, 1},
+        unsheared{1, -shear, 0, 0, 1, 0, 0, 0, 1};
+    a = product(sheared, a), back = product(back, unsheared), b = product(b, sheared);
+    for (int i = 0; i < 6; ++i) {
+      DmsMatrix g{1, 0, 0, 0, 1, 0, 0, 0, 1};
+      for (Rational& x : g) x += Rational(random.between(-30, 30)) / Rational(100);
+      all.emplace_back(g);
+      moved.emplace_back(product(product(b, g), back));
+    }
+    std::array<DmsPoint, 4> corners;
+    for (std::size_t m = 0; m < 4; ++m)
+      for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t k = 0; k < 3; ++k) corners[m][c] += cell(a, c, k) * kCorners[m][k];
+    const auto before = find_monotone_matrix(pointers(all), kCorners),
+               after = find_monotone_matrix(pointers(moved), corners);
+    ASSERT_EQ(before.has_value(), after.has_value()) << seed;
+    if (!after) continue;
+    ++found;
+    EXPECT_EQ(determinant_of(*after).sign(), Sign::kPositive) << seed;
+    for (const EnclosedMatrix& g : moved)
+      EXPECT_TRUE(is_monotone_by_minors(*after, g.exact)) << seed;
+    for (const Rational& x : *after) {
+      EXPECT_LE(x.numerator().bit_length(), 60u) << seed;
+      EXPECT_LE(x.denominator().bit_length(), 62u) << seed;
+    }
   }
   EXPECT_GT(found, 100);
 }
@@ -107,12 +163,14 @@ TEST(DmsMonotone, FindsNoneWhereThereIsNone) {
     std::vector<EnclosedMatrix> all;
     all.emplace_back(g);
     all.emplace_back(minus);
-    EXPECT_FALSE(find_monotone_matrix(pointers(all))) << "seed " << seed << ": " << text_of(g);
+    EXPECT_FALSE(find_monotone_matrix(pointers(all), kCorners))
+        << "seed " << seed << ": " << text_of(g);
     // A negative determinant.
     const DmsMatrix mirror = determinant_of(g).sign() == Sign::kPositive ? minus : g;
     all.clear();
     all.emplace_back(mirror);
-    EXPECT_FALSE(find_monotone_matrix(pointers(all))) << "seed " << seed << ": " << text_of(mirror);
+    EXPECT_FALSE(find_monotone_matrix(pointers(all), kCorners))
+        << "seed " << seed << ": " << text_of(mirror);
   }
 }
 

@@ -117,7 +117,10 @@ class DmsCertification {
   // What is not decided; else all is proved, or there is a refutation.
   std::optional<Finding> decide() {
     if (find_defects()) return std::nullopt;
-    if (auto found = attribute_domain()) return found;
+    if (auto found = decide_geometry(); found || !refutations_.empty()) return found;
+    return attribute_domain();
+  }
+  std::optional<Finding> decide_geometry() {
     if (auto found = long_numbers()) return found;
     if (auto found = separate_control()) return found;
     if (auto found = hulls()) return found;

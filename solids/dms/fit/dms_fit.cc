@@ -11,6 +11,7 @@
 #include "solids/dms/fit/fit_knots.h"
 #include "solids/dms/fit/fit_mesh.h"
 #include "solids/dms/fit/fit_state.h"
+#include "solids/dms/fit/fit_units.h"
 
 namespace veritope {
 namespace {
@@ -186,6 +187,22 @@ Status check_data(const DmsData& data) {
   return ok_status();
 }
 
+Result<DmsFit> fit_in_units(const DmsModel& domain, const DmsData& data,
+                            const DmsFitOptions& options) {
+  Result<DmsModel> start = make_dms(domain, {options.degree, {}, DmsControlRule::kGreville});
+  if (!start) return start.error();
+  if (options.max_tetrahedra && *options.max_tetrahedra < start->tetrahedra.size())
+    return Error{Code::kOverLimit,
+                 {},
+                 "the domain has " + std::to_string(start->tetrahedra.size()) +
+                     " tetrahedra, more than --max-tetrahedra " +
+                     std::to_string(*options.max_tetrahedra)};
+  start->attributes = attribute_names(domain, data.num_attributes);
+  Fitter fitter(*start, data, options);
+  if (fitter.is_empty()) return bad_argument("no point lies in the closed domain");
+  return fitter.run();
+}
+
 }  // namespace
 
 const char* fit_end_name(DmsFitEnd end) {
@@ -205,19 +222,14 @@ bool DmsFit::is_reached(double tolerance) const {
 }
 
 Result<DmsFit> fit_dms(const DmsModel& domain, const DmsData& data, const DmsFitOptions& options) {
-  Result<DmsModel> start = make_dms(domain, {options.degree, {}, DmsControlRule::kGreville});
-  if (!start) return start.error();
-  if (options.max_tetrahedra && *options.max_tetrahedra < start->tetrahedra.size())
-    return Error{Code::kOverLimit,
-                 {},
-                 "the domain has " + std::to_string(start->tetrahedra.size()) +
-                     " tetrahedra, more than --max-tetrahedra " +
-                     std::to_string(*options.max_tetrahedra)};
   if (const Status status = check_data(data); !status) return status.error();
-  start->attributes = attribute_names(domain, data.num_attributes);
-  Fitter fitter(*start, data, options);
-  if (fitter.is_empty()) return bad_argument("no point lies in the closed domain");
-  return fitter.run();
+  const FitUnits units(domain, data);
+  if (units.are_those_of_the_data()) return fit_in_units(domain, data, options);
+  Result<DmsFit> fit =
+      fit_in_units(units.to_unit(domain), units.to_unit(data), units.to_unit(options));
+  if (!fit) return fit.error();
+  units.restore(*fit);
+  return fit;
 }
 
 }  // namespace veritope

@@ -8,6 +8,7 @@
 #include "interval/upward.h"
 #include "solids/dms/dms_evaluator.h"
 #include "solids/dms/dms_program.h"
+#include "solids/dms/fit/fit_frame.h"
 #include "solids/dms/fit/fit_rows.h"
 
 namespace veritope {
@@ -26,6 +27,8 @@ class ErrorSums {
     for (const DmsCloud& cloud : model.clouds)
       is_open_.push_back(std::any_of(cloud.begin(), cloud.end(),
                                      [&](const DmsPoint& p) { return p != cloud[0]; }));
+    for (std::uint32_t t = 0; t < model.tetrahedra.size(); ++t)
+      is_flat_.push_back(has_flat_knots(model, t));
     for (const Rational& value : model.control.values) values_.push_back(enclose(value));
   }
 
@@ -33,12 +36,20 @@ class ErrorSums {
     const auto place = evaluator_.locate(data_.points[point]);
     if (!place) return;
     const std::vector<std::uint32_t> near = evaluator_.near(place->path.start());
+    const bool is_near_flat =
+        std::any_of(near.begin(), near.end(), [&](std::uint32_t t) { return is_flat_[t]; });
+    // Enclosures of coordinates in flat tetrahedra say nothing.
+    const DmsValue exact = is_near_flat ? evaluator_.evaluate(*place) : DmsValue();
     const ScopedUpward upward;
     ++count_;
     std::vector<Interval> value(model_.num_components());
     std::array<Interval, 3> u;
     for (std::size_t c = 0; c < 3; ++c) u[c] = enclose(data_.points[point][c]);
-    for (const std::uint32_t t : near) add_terms(t, *place, u, value);
+    if (is_near_flat)
+      std::transform(exact.value.begin(), exact.value.end(), value.begin(),
+                     [](const Rational& x) { return enclose(x); });
+    else
+      for (const std::uint32_t t : near) add_terms(t, *place, u, value);
     Interval square;
     for (std::size_t c = 0; c < 3; ++c) square += sqr(value[c] - u[c]);
     squares_[0] += square;
@@ -96,6 +107,7 @@ class ErrorSums {
   DmsEvaluator evaluator_;
   DmsPrograms<Interval> programs_;
   FitControl control_;
+  std::vector<bool> is_flat_;     // of each tetrahedron, nearly
   std::vector<bool> is_open_;     // of each vertex, whether its cloud is not collapsed
   std::vector<Interval> values_;  // of the control points
   std::size_t count_ = 0;

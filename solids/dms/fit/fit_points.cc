@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solids/dms/dms_evaluator.h"
+#include "solids/dms/fit/fit_frame.h"
 
 namespace veritope {
 namespace {
@@ -19,14 +20,8 @@ class Walk {
  public:
   explicit Walk(const DmsModel& model)
       : complex_(model.tetrahedra, static_cast<std::uint32_t>(model.clouds.size())) {
-    std::vector<std::array<double, 3>> at;
-    for (const DmsCloud& cloud : model.clouds)
-      at.push_back(
-          {nearest_double(cloud[0][0]), nearest_double(cloud[0][1]), nearest_double(cloud[0][2])});
-    for (const TetrahedronCorners& t : model.tetrahedra)
-      lambda_.push_back(simplex_frame<double>(
-                            {0, 1, 2, 3}, {at[t[0]], at[t[1]], at[t[2]], at[t[3]]}, Sign::kPositive)
-                            .lambda);
+    for (std::uint32_t t = 0; t < model.tetrahedra.size(); ++t)
+      lambda_.push_back(fit_frame(last_knots(model, t, {})).lambda);
   }
 
   std::uint32_t find(std::uint32_t from, const std::array<double, 3>& u) const {

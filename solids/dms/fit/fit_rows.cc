@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "solids/dms/dms_knots.h"
+#include "solids/dms/fit/fit_frame.h"
 
 namespace veritope {
 namespace {
 
 constexpr double kNear = 0x1p-30;  // a barycentric coordinate of a point near a face
 constexpr double kStep = 0x1p-20, kSmaller = 0x1p-8;
+constexpr double kMostSlope = 0x1p20;  // of barycentric coordinates, where the size is 1
 
 bool has_open_cloud(const DmsModel& model, const TetrahedronCorners& t) {
   return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) {
@@ -46,17 +48,22 @@ using GammaSlope = std::array<std::pair<std::uint32_t, std::array<double, 3>>, 4
 
 GammaSlope gamma_slope(const DmsModel& model, const FitControl& control, std::uint32_t t,
                        const TetrahedralIndex& gamma) {
-  std::array<std::array<double, 3>, 4> w;
-  for (std::size_t m = 0; m < 4; ++m)
-    for (std::size_t c = 0; c < 3; ++c)
-      w[m][c] = nearest_double(model.knot(model.tetrahedra[t][m], gamma[m])[c]);
-  const auto frame = simplex_frame<double>({0, 1, 2, 3}, w, Sign::kPositive);
+  const FitFrame frame = fit_frame(last_knots(model, t, gamma));
   GammaSlope out;
   for (std::size_t m = 0; m < 4; ++m) {
     out[m].first = control.of(t, raised(gamma, m));
     for (std::size_t c = 0; c < 3; ++c) out[m].second[c] = frame.lambda[m][c + 1];
   }
   return out;
+}
+
+// At most 1, so that slopes in flat tetrahedra do not outweigh all others. They are of the order 1 / size.
+double weight_of(const GammaSlope& slope, double size) {
+  double most = 0;
+  for (const auto& [number, along] : slope)
+    for (const double x : along) most = std::max(most, std::abs(x));
+  const double limit = kMostSlope / size;
+  return most > limit ? limit / most : 1;
 }
 
 void add_difference(const GammaSlope& a, const GammaSlope& b, double weight, SparseRows& out) {
@@ -95,6 +102,8 @@ FitBasis::FitBasis(const DmsModel& model, const FitControl& control, const FitPo
     : model_(model), control_(control), points_(points), programs_(model, with_knots) {
   std::vector<Box3d> boxes;
   for (std::uint32_t t = 0; t < model.tetrahedra.size(); ++t) {
+    is_flat_.push_back(has_flat_knots(model, t));
+    if (is_flat_[t] && !exact_) exact_.emplace(model);
     is_open_.push_back(has_open_cloud(model, model.tetrahedra[t]));
     if (!is_open_[t]) continue;
     open_numbers_.push_back(t);
@@ -118,9 +127,8 @@ std::array<double, 3> FitBasis::point_beside(std::size_t i) const {
   return at;
 }
 
-// visit(tetrahedron, program) after a run at point i, for all tetrahedra that have terms there, ascending.
-template <typename Visit>
-void FitBasis::visit_terms(std::size_t i, Visit visit) {
+// The tetrahedra that may have terms at point i, ascending.
+std::vector<std::uint32_t> FitBasis::near(std::size_t i) const {
   const auto& u = points_.at[i];
   std::vector<std::uint32_t> near;
   if (!is_open_[points_.tetrahedron[i]]) near.push_back(points_.tetrahedron[i]);
@@ -128,6 +136,13 @@ void FitBasis::visit_terms(std::size_t i, Visit visit) {
   open_.visit([&](const Box3d& box) { return meets(box, at); },
               [&](std::uint32_t k) { near.push_back(open_numbers_[k]); });
   std::sort(near.begin(), near.end());
+  return near;
+}
+
+// visit(tetrahedron, program) after a run at point i, for all of them. REQUIRES that none of them is flat.
+template <typename Visit>
+void FitBasis::visit_terms(std::size_t i, std::span<const std::uint32_t> near, Visit visit) {
+  const auto& u = points_.at[i];
   std::optional<std::array<double, 3>> beside;
   for (const std::uint32_t t : near) {
     const DmsProgram<double>& program = programs_.of(t);
@@ -151,7 +166,13 @@ SparseRows FitBasis::rows() {
   std::vector<std::pair<int, double>> entries;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     entries.clear();
-    visit_terms(i, [&](std::uint32_t t, const DmsProgram<double>& program) {
+    const std::vector<std::uint32_t> near = this->near(i);
+    if (has_flat(near)) {
+      add_exact_row(i, entries);
+      out.add(entries);
+      continue;
+    }
+    visit_terms(i, near, [&](std::uint32_t t, const DmsProgram<double>& program) {
       for (const auto& b : program.basis) {
         if (b.node == DmsProgram<double>::kNone || run_.value[b.node] == 0) continue;
         const double n = program.frames[b.frame].volume * run_.value[b.node];
@@ -165,10 +186,33 @@ SparseRows FitBasis::rows() {
   return out;
 }
 
+bool FitBasis::has_flat(std::span<const std::uint32_t> near) const {
+  return std::any_of(near.begin(), near.end(), [&](std::uint32_t t) { return is_flat_[t]; });
+}
+
+// The row of a point with flat tetrahedra near it, rounded at the end.
+void FitBasis::add_exact_row(std::size_t i, std::vector<std::pair<int, double>>& entries) {
+  const DmsPoint& u = points_.data->points[points_.number[i]];
+  const auto place = exact_->locate(u);
+  if (!place) return;
+  exact_->for_each_basis(
+      *place, model_.degree - 1,
+      [&](std::uint32_t t, const TetrahedralIndex& gamma, const Rational& n) {
+        const auto frame =
+            simplex_frame<Rational>({0, 1, 2, 3}, last_knots(model_, t, gamma), Sign::kPositive);
+        const auto lambda = frame.barycentric(u);
+        for (std::size_t m = 0; m < 4; ++m)
+          entries.emplace_back(static_cast<int>(control_.of(t, raised(gamma, m))),
+                               nearest_double(n * lambda[m]));
+      });
+}
+
 std::vector<KnotSlope> FitBasis::slopes(std::size_t i, std::span<const double> values,
                                         std::size_t num_attributes) {
   const double degree = model_.degree;
   std::vector<KnotSlope> out;
+  const std::vector<std::uint32_t> near = this->near(i);
+  if (has_flat(near)) return out;
   const auto slope_of = [&](std::uint32_t vertex, int index) -> KnotSlope& {
     for (KnotSlope& s : out)
       if (s.vertex == vertex && s.index == index) return s;
@@ -177,7 +221,7 @@ std::vector<KnotSlope> FitBasis::slopes(std::size_t i, std::span<const double> v
   };
   std::vector<double> affine(num_attributes);
   std::vector<std::array<double, 3>> linear(num_attributes);
-  visit_terms(i, [&](std::uint32_t t, const DmsProgram<double>& program) {
+  visit_terms(i, near, [&](std::uint32_t t, const DmsProgram<double>& program) {
     for (const auto& b : program.basis) {
       const SimplexFrame<double>& frame = program.frames[b.frame];
       const auto& lambda = run_.barycentric[b.frame];
@@ -215,7 +259,10 @@ SparseRows smoothness_rows(const DmsModel& model, const FitControl& control) {
                                    static_cast<std::uint32_t>(model.clouds.size()));
   const int n = model.degree;
   for (std::uint32_t t = 0; t < model.tetrahedra.size(); ++t) {
-    const double weight = std::sqrt(size_of(model, t));
+    const double size = size_of(model, t), weight = std::sqrt(size);
+    const auto add = [&](const GammaSlope& a, const GammaSlope& b) {
+      add_difference(a, b, weight * std::min(weight_of(a, size), weight_of(b, size)), out);
+    };
     for_each_tetrahedral_index(n - 1, [&](const TetrahedralIndex& gamma) {
       const GammaSlope slope = gamma_slope(model, control, t, gamma);
       // One step from corner m to the next one.
@@ -223,7 +270,7 @@ SparseRows smoothness_rows(const DmsModel& model, const FitControl& control) {
         if (gamma[m] == 0) continue;
         TetrahedralIndex other = raised(gamma, m + 1);
         --other[m];
-        add_difference(slope, gamma_slope(model, control, t, other), weight, out);
+        add(slope, gamma_slope(model, control, t, other));
       }
       for (std::uint32_t m = 0; m < 4; ++m) {
         if (gamma[m] > 0) continue;
@@ -234,7 +281,7 @@ SparseRows smoothness_rows(const DmsModel& model, const FitControl& control) {
         for (std::size_t i = 0; i < 4; ++i)
           for (std::size_t j = 0; j < 4; ++j)
             if (model.tetrahedra[t][i] == model.tetrahedra[beyond][j]) same[j] = gamma[i];
-        add_difference(slope, gamma_slope(model, control, beyond, same), weight, out);
+        add(slope, gamma_slope(model, control, beyond, same));
       }
     });
   }

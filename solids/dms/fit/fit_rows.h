@@ -5,11 +5,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "solids/base/box_hierarchy.h"
+#include "solids/dms/dms_evaluator.h"
 #include "solids/dms/dms_program.h"
 #include "solids/dms/fit/fit_points.h"
 #include "solids/dms/fit/sparse_rows.h"
@@ -46,21 +48,27 @@ class FitBasis {
   SparseRows rows();
   /// The derivatives at point i by eq. 11 of [HHQ04] as the format's page has it, for the knots 0 to n - 1 of the
   /// vertices of all tetrahedra that have a term there. Knots of one vertex that are equal have derivatives of their
-  /// own. @param values  of the control points, num_attributes each
+  /// own. None at points with nearly flat tetrahedra near them.
+  /// @param values  of the control points, num_attributes each
   std::vector<KnotSlope> slopes(std::size_t i, std::span<const double> values,
                                 std::size_t num_attributes);
 
  private:
   std::array<double, 3> point_beside(std::size_t i) const;
+  std::vector<std::uint32_t> near(std::size_t i) const;
+  bool has_flat(std::span<const std::uint32_t> near) const;
   template <typename Visit>
-  void visit_terms(std::size_t i, Visit visit);
+  void visit_terms(std::size_t i, std::span<const std::uint32_t> near, Visit visit);
+  void add_exact_row(std::size_t i, std::vector<std::pair<int, double>>& entries);
 
   const DmsModel& model_;
   const FitControl& control_;
   const FitPoints& points_;
   DmsPrograms<double> programs_;
   std::vector<std::pair<std::array<double, 3>, double>> centres_;  // if a tetrahedron is open
-  std::vector<bool> is_open_;  // whether a cloud of the tetrahedron is not collapsed
+  std::vector<bool> is_flat_;
+  std::optional<DmsEvaluator> exact_;  // if a tetrahedron is flat
+  std::vector<bool> is_open_;          // whether a cloud of the tetrahedron is not collapsed
   BoxHierarchy open_;
   std::vector<std::uint32_t> open_numbers_;
   DmsRun<double> run_;

@@ -42,8 +42,9 @@ ExitCode run_boundary(const DmsBoundaryChoice& o, StandardOutput& out) {
   }
   const TetrahedralComplex complex(model.tetrahedra,
                                    static_cast<std::uint32_t>(model.clouds.size()));
-  auto patches = with_progress(o.model, "cutting the boundary",
-                               [&] { return boundary_patches(model, complex); });
+  auto patches = with_progress(o.model, "cutting the boundary", [&] {
+    return boundary_patches(model, complex, {static_cast<unsigned>(default_jobs())});
+  });
   if (const auto* const open = std::get_if<DmsOpenFace>(&patches)) {
     complain(harmless(o.model + ": " + open_face_text(complex, *open)));
     return kExitUndecided;

@@ -21,6 +21,7 @@
 #include "robust/base/stopwatch.h"
 #include "solids/dms/dms_defects.h"
 #include "solids/dms/dms_identity.h"
+#include "solids/dms/dms_validity.h"
 #include "solids/tetrahedra/boundary_classes.h"
 #include "solids/tetrahedra/delaunay.h"
 #include "solids/tetrahedra/occupancy.h"
@@ -42,6 +43,12 @@ struct DmsDomainOptions {
 // Edges whose facets' normals enclose more than 30 degrees are features.
 const Rational kFeatureSquaredCosine(Integer(3), Integer(4));
 
+Error bad_point(const std::string& input, std::size_t number, const Error& why) {
+  Error out{Code::kOverLimit, {}, "point " + std::to_string(number) + ": " + why.message};
+  out.place.file = input == "-" ? "standard input" : input;
+  return out;
+}
+
 Result<std::vector<ExactPoint3>> read_points(const DmsDomainOptions& o) {
   auto source = open_points(o.input, Decimals::kExact, o.reading.limits);
   if (!source) return source.error();
@@ -51,10 +58,14 @@ Result<std::vector<ExactPoint3>> read_points(const DmsDomainOptions& o) {
     if (batch.size() == 0) return points;
     auto exact = batch.exact.begin();
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      if (exact != batch.exact.end() && exact->first == i)
+      if (exact != batch.exact.end() && exact->first == i) {
+        for (const Rational& x : exact->second)
+          if (const Status status = check_dms_number(x); !status)
+            return bad_point(o.input, points.size(), status.error());
         points.emplace_back(std::move((exact++)->second));
-      else
+      } else {
         points.emplace_back(batch.points[i]);
+      }
     }
   }
 }

@@ -108,9 +108,9 @@ Rational Rational::power_of_two(std::int64_t n) noexcept {
   return r;
 }
 
-// Lowest terms by smaller divisors than that of the result (Henrici 1956; Knuth, The Art of Computer Programming, volume
-// 2, section 4.5.1): with g = gcd(den_, b.den_) a common factor of the sum's numerator and of den_ b.den_ / g divides g.
-// Canonical fractions with different denominators have no sum 0.
+// Lowest terms by smaller divisors than that of the result (Henrici 1956; Knuth, The Art of Computer Programming,
+// volume 2, section 4.5.1): with g = gcd(den_, b.den_) a common factor of the sum's numerator and of den_ b.den_ / g
+// divides g. Canonical fractions with different denominators have no sum 0.
 Rational& Rational::add(const Rational& b, bool is_difference) noexcept {
   const auto add_to_numerator = [&](const Integer& factor) {
     is_difference ? num_.subtract_product(b.num_, factor) : num_.add_product(b.num_, factor);

@@ -78,8 +78,9 @@ class DmsIsoRule {
   std::optional<DmsCorners> find_open(const DmsIsoForm& form, DmsCorners zeros = 0) const;
   /// What bounds the derivative on a simplex, along the edges from its corner `first` to the others, ascending.
   DmsIsoSlopes slopes(const DmsIsoForm& form, DmsCorners corners, std::size_t first) const;
-  /// Where to cut next, if a simplex is open: where the level may touch an edge; with `extrema_first` at an extremum of any edge on which g - c is not
-  /// proved to keep its sign. Nothing is proved of the place. REQUIRES two corners or more.
+  /// Where to cut next, if a simplex is open: where the level may touch an edge; with `extrema_first` at an extremum of
+  /// any edge on which g - c is not proved to keep its sign. Nothing is proved of the place. REQUIRES two corners or
+  /// more.
   DmsIsoCut choose_cut(const DmsIsoForm& form, DmsCorners corners, bool extrema_first) const;
   /// The forms of the parts with the point (1 - t) a + t b in the place of b, and of a, for the corners a, b of an
   /// edge. Shares at the point are 0, which is always right.

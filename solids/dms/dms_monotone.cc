@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "interval/upward.h"
+#include "solids/dms/monotone_search.h"
 
 namespace veritope {
 namespace {
 
-constexpr int kMaxTurns = 60;
 constexpr double kLargestEntry = 1 << 19;
 constexpr int kLongBits = 40, kMostDenominator = 60;  // exponents of two
 
-using Plain = std::array<double, 9>;
+using Plain = internal::PlainMatrix;
 
 template <typename R>
 R determinant_of(const std::array<R, 9>& m) {
@@ -67,43 +67,6 @@ std::optional<Plain> inverse_of(const Plain& m) {
                minor(3, 7, 4, 6), minor(1, 6, 0, 7), minor(0, 4, 1, 3)};
 }
 
-// The least eigenvalue of a symmetric matrix and its direction, by Jacobi's rotations.
-std::pair<double, std::array<double, 3>> least_eigenvalue(Plain s) {
-  Plain v = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  for (int sweep = 0; sweep < 12; ++sweep)
-    for (const auto& [p, q] : {std::pair{0u, 1u}, {0u, 2u}, {1u, 2u}}) {
-      const double off = s[3 * p + q];
-      if (off == 0) continue;
-      const double angle = 0.5 * std::atan2(2 * off, s[4 * q] - s[4 * p]);
-      const double c = std::cos(angle), t = std::sin(angle);
-      for (unsigned k = 0; k < 3; ++k) {
-        const double a = s[3 * k + p], b = s[3 * k + q];
-        s[3 * k + p] = c * a - t * b, s[3 * k + q] = t * a + c * b;
-      }
-      for (unsigned k = 0; k < 3; ++k) {
-        const double a = s[3 * p + k], b = s[3 * q + k];
-        s[3 * p + k] = c * a - t * b, s[3 * q + k] = t * a + c * b;
-        const double x = v[3 * k + p], y = v[3 * k + q];
-        v[3 * k + p] = c * x - t * y, v[3 * k + q] = t * x + c * y;
-      }
-    }
-  const unsigned m = s[0] <= s[4] && s[0] <= s[8] ? 0 : s[4] <= s[8] ? 1 : 2;
-  return {s[4 * m], {v[m], v[3 + m], v[6 + m]}};
-}
-
-double norm_of(const Plain& m) {
-  double sum = 0;
-  for (const double x : m) sum += x * x;
-  return std::sqrt(sum);
-}
-
-Plain product(const Plain& a, const Plain& b) {
-  Plain out{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < 3; ++k) out[3 * i + j] += a[3 * i + k] * b[3 * k + j];
-  return out;
-}
 Plain transposed(const Plain& m) { return {m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]}; }
 Plain divided(Plain m, double by) {
   for (double& x : m) x /= by;
@@ -124,7 +87,7 @@ Plain frame_of(const std::array<DmsPoint, 4>& corners) {
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t m = 0; m < 3; ++m)
       edges[3 * c + m] = nearest_double(corners[m + 1][c] - corners[0][c]);
-  return product(edges, regular);
+  return internal::multiplied(edges, regular);
 }
 
 DmsMatrix short_matrix(const Plain& r) {
@@ -147,21 +110,6 @@ DmsMatrix long_matrix(const Plain& r) {
     if (bits <= 0) continue;
     out[i] = Rational(static_cast<std::int64_t>(std::round(std::ldexp(x, bits)))) *
              Rational::power_of_two(exponent - bits);
-  }
-  return out;
-}
-
-// The worst G for R: its place, the least eigenvalue over the norm of G, and the direction.
-struct Worst {
-  std::size_t at = 0;
-  double value = 0;
-  std::array<double, 3> direction{};
-};
-Worst worst_of(const Plain& r, const std::vector<Plain>& all) {
-  Worst out;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto [value, direction] = least_eigenvalue(symmetric_product(r, all[i]));
-    if (i == 0 || value < out.value) out = {i, value, direction};
   }
   return out;
 }
@@ -194,7 +142,7 @@ std::optional<DmsMatrix> find_monotone_matrix(std::span<const EnclosedMatrix* co
   std::vector<Plain> k;
   double most = 0;
   for (const EnclosedMatrix* const g : all) {
-    k.push_back(product(approximate(*g), frame));
+    k.push_back(internal::multiplied(approximate(*g), frame));
     most = std::max(most, largest_of(k.back()));
   }
   if (!(most > 0) || !std::isfinite(most)) return std::nullopt;
@@ -204,36 +152,29 @@ std::optional<DmsMatrix> find_monotone_matrix(std::span<const EnclosedMatrix* co
   for (int i = 0; i < 2; ++i) {
     Plain mean{};
     for (Plain& m : k) {
-      const double norm = i == 0 ? static_cast<double>(k.size()) : norm_of(m);
+      const double norm = i == 0 ? static_cast<double>(k.size()) : internal::norm_of(m);
       if (!(norm > 0) || !std::isfinite(norm)) return std::nullopt;
       if (i == 1) m = divided(m, norm);
       for (std::size_t e = 0; e < 9; ++e) mean[e] += i == 0 ? m[e] / norm : m[e];
     }
     const std::optional<Plain> inverse = inverse_of(mean);
     if (!inverse) return std::nullopt;
-    for (Plain& m : k) m = product(*inverse, m);
-    to_space = product(*inverse, to_space);
+    for (Plain& m : k) m = internal::multiplied(*inverse, m);
+    to_space = internal::multiplied(*inverse, to_space);
   }
-  for (Plain& m : k) m = divided(m, norm_of(m));
+  for (Plain& m : k) m = divided(m, internal::norm_of(m));
   const Plain from_frame = transposed(*back);
-  Plain q = divided({1, 0, 0, 0, 1, 0, 0, 0, 1}, std::sqrt(3.0));
-  // A turn raises the least eigenvalue of the worst product: its derivative by Q is 2 x (K x)^T, x its direction.
-  for (int turn = 0; turn <= kMaxTurns; ++turn) {
-    const Worst worst = worst_of(q, k);
-    if (worst.value > 0) {
-      const Plain r = product(product(from_frame, q), to_space);
-      for (const DmsMatrix& rounded : {short_matrix(r), long_matrix(r)})
-        if (const EnclosedMatrix candidate(rounded); is_monotone_with_all(candidate, all))
-          return candidate.exact;
-    }
-    const Plain& m = k[worst.at];
-    const auto& x = worst.direction;
-    const double step = 0.25 / (1 + turn);
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        q[3 * i + j] += step * x[i] * (m[3 * j] * x[0] + m[3 * j + 1] * x[1] + m[3 * j + 2] * x[2]);
-  }
-  return std::nullopt;
+  std::optional<DmsMatrix> out;
+  internal::search_monotone(k, [&](const Plain& q) {
+    const Plain r = internal::multiplied(internal::multiplied(from_frame, q), to_space);
+    for (const DmsMatrix& rounded : {short_matrix(r), long_matrix(r)})
+      if (const EnclosedMatrix candidate(rounded); is_monotone_with_all(candidate, all)) {
+        out = candidate.exact;
+        return true;
+      }
+    return false;
+  });
+  return out;
 }
 
 }  // namespace veritope

@@ -6,11 +6,14 @@
 #include <utility>
 
 #include "robust/base/check.h"
+#include "robust/base/parallel.h"
 #include "solids/dms/dms_evaluator.h"
 #include "solids/dms/dms_piece.h"
 
 namespace veritope {
 namespace {
+
+constexpr std::size_t kMapsOfChunk = 128;
 
 // The first components of the map on a tile.
 BezierTriangle<Rational> map_on(DmsPieces& pieces, int degree, std::size_t num_components,
@@ -24,8 +27,9 @@ BezierTriangle<Rational> map_on(DmsPieces& pieces, int degree, std::size_t num_c
 }
 
 std::variant<std::vector<DmsTile>, DmsOpenFace> all_tiles(const DmsModel& model,
-                                                          const TetrahedralComplex& complex) {
-  const auto tiled = tile_boundary(model, complex);
+                                                          const TetrahedralComplex& complex,
+                                                          const DmsTileOptions& options) {
+  const auto tiled = tile_boundary(model, complex, options);
   if (const auto* const open = std::get_if<DmsOpenFace>(&tiled)) return *open;
   std::vector<DmsTile> tiles;
   for (const auto& of_face : std::get<0>(tiled))
@@ -33,34 +37,50 @@ std::variant<std::vector<DmsTile>, DmsOpenFace> all_tiles(const DmsModel& model,
   return tiles;
 }
 
+// Tiles of one chunk are of one face or of neighbours, and share what DmsPieces keeps.
+std::vector<BezierTriangle<Rational>> maps_on(const DmsModel& model, const DmsEvaluator& evaluator,
+                                              std::size_t num_components,
+                                              const std::vector<DmsTile>& tiles,
+                                              const DmsTileOptions& options) {
+  std::vector<BezierTriangle<Rational>> out(
+      tiles.size(),
+      BezierTriangle<Rational>(model.degree, static_cast<int>(num_components), false));
+  WorkStep step(options.work, static_cast<double>(tiles.size()));
+  parallel_for(tiles.size(), kMapsOfChunk, options.jobs,
+               [&](std::size_t, std::size_t begin, std::size_t end) {
+                 DmsPieces pieces(model, evaluator);
+                 for (std::size_t k = begin; k < end; ++k)
+                   out[k] = map_on(pieces, model.degree, num_components, tiles[k]);
+                 step.add(static_cast<double>(end - begin));
+               });
+  return out;
+}
+
 }  // namespace
 
 std::vector<BezierTriangle<Rational>> patches_on(const DmsModel& model,
                                                  const DmsEvaluator& evaluator,
-                                                 const std::vector<DmsTile>& tiles) {
-  DmsPieces pieces(model, evaluator);
-  std::vector<BezierTriangle<Rational>> out;
-  for (const DmsTile& tile : tiles) out.push_back(map_on(pieces, model.degree, 3, tile));
-  return out;
+                                                 const std::vector<DmsTile>& tiles,
+                                                 const DmsTileOptions& options) {
+  return maps_on(model, evaluator, 3, tiles, options);
 }
 
 std::variant<std::vector<BezierTriangle<Rational>>, DmsOpenFace> boundary_patches(
-    const DmsModel& model, const TetrahedralComplex& complex) {
-  const auto tiles = all_tiles(model, complex);
+    const DmsModel& model, const TetrahedralComplex& complex, const DmsTileOptions& options) {
+  const auto tiles = all_tiles(model, complex, options);
   if (const auto* const open = std::get_if<DmsOpenFace>(&tiles)) return *open;
-  DmsEvaluator evaluator(model);
-  return patches_on(model, evaluator, std::get<0>(tiles));
+  return patches_on(model, DmsEvaluator(model), std::get<0>(tiles), options);
 }
 
 std::variant<std::vector<DmsBoundaryPiece>, DmsOpenFace> boundary_pieces(
-    const DmsModel& model, const TetrahedralComplex& complex) {
-  const auto tiles = all_tiles(model, complex);
-  if (const auto* const open = std::get_if<DmsOpenFace>(&tiles)) return *open;
-  const DmsEvaluator evaluator(model);
-  DmsPieces pieces(model, evaluator);
+    const DmsModel& model, const TetrahedralComplex& complex, const DmsTileOptions& options) {
+  const auto found = all_tiles(model, complex, options);
+  if (const auto* const open = std::get_if<DmsOpenFace>(&found)) return *open;
+  const std::vector<DmsTile>& tiles = std::get<0>(found);
+  auto maps = maps_on(model, DmsEvaluator(model), model.num_components(), tiles, options);
   std::vector<DmsBoundaryPiece> out;
-  for (const DmsTile& tile : std::get<0>(tiles))
-    out.push_back({tile.corners, map_on(pieces, model.degree, model.num_components(), tile)});
+  for (std::size_t k = 0; k < tiles.size(); ++k)
+    out.push_back({tiles[k].corners, std::move(maps[k])});
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "robust/base/parallel.h"
 #include "solids/dms/dms_polygon_internal.h"
 
 namespace veritope {
@@ -14,6 +15,9 @@ namespace {
 using internal::DmsPolygon;
 using internal::DmsSegment;
 using Edge = std::array<std::uint32_t, 2>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+constexpr std::size_t kTilesOfChunk = 32;
 
 Edge edge_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -25,8 +29,9 @@ DmsPlane plane_of(const DmsPoint& a, const DmsPoint& b, const DmsPoint& c) {
 
 class BoundaryTiling {
  public:
-  BoundaryTiling(const DmsModel& model, const TetrahedralComplex& complex, std::size_t max_tiles)
-      : model_(model), complex_(complex), max_tiles_(max_tiles), knots_(model) {
+  BoundaryTiling(const DmsModel& model, const TetrahedralComplex& complex,
+                 const DmsTileOptions& options)
+      : model_(model), complex_(complex), options_(options), knots_(model) {
     for (std::uint32_t v = 0; v < model.clouds.size(); ++v)
       places_.push_back(points_.add(model.knot(v, 0)));
   }
@@ -36,11 +41,22 @@ class BoundaryTiling {
       if (!cut_face(f)) return DmsOpenFace{f};
       collect_edge_points(f);
     }
-    std::vector<std::vector<DmsTile>> out;
+    std::vector<Triangle> triangles;
+    std::vector<std::size_t> last;  // behind the triangles of each face
     for (std::size_t i = 0; i < polygons_.size(); ++i) {
-      auto tiles = tiles_of(i);
-      if (!tiles) return DmsOpenFace{complex_.boundary()[i]};
-      out.push_back(std::move(*tiles));
+      append_triangles(i, triangles);
+      if (triangles.size() - (i == 0 ? 0 : last[i - 1]) > options_.max_tiles_of_face)
+        return DmsOpenFace{complex_.boundary()[i]};
+      last.push_back(triangles.size());
+    }
+    std::vector<std::optional<DmsTile>> tiles = prove(triangles);
+    std::vector<std::vector<DmsTile>> out;
+    for (std::size_t i = 0, k = 0; i < last.size(); ++i) {
+      out.emplace_back();
+      for (; k < last[i]; ++k) {
+        if (!tiles[k]) return DmsOpenFace{complex_.boundary()[i]};
+        out.back().push_back(std::move(*tiles[k]));
+      }
     }
     return out;
   }
@@ -76,7 +92,7 @@ class BoundaryTiling {
         parts[i] = std::move(halves->first);
         parts.push_back(std::move(halves->second));
       }
-    return parts.size() <= max_tiles_;
+    return parts.size() <= options_.max_tiles_of_face;
   }
   // Where the triangle of three knots, not all in the plane, meets it: a segment or a point.
   std::optional<DmsSegment> trace_of(const std::array<std::uint32_t, 3>& three,
@@ -122,7 +138,8 @@ class BoundaryTiling {
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   }
 
-  std::optional<std::vector<DmsTile>> tiles_of(std::size_t i) {
+  // Those of the polygons of a face.
+  void append_triangles(std::size_t i, std::vector<Triangle>& triangles) {
     const TetrahedronFace f = complex_.boundary()[i];
     const auto v = complex_.vertices(f);
     std::vector<std::uint32_t> points = corners_of_polygons(polygons_[i]);
@@ -132,19 +149,27 @@ class BoundaryTiling {
     }
     sort_unique(points);
     const internal::DmsDrawingPlane plane(points_, normal_of_face(corners_of(f)));
-    std::vector<DmsTile> out;
-    for (const DmsPolygon& polygon : polygons_[i])
-      for (const auto& three : plane.triangles(internal::with_corners(points_, polygon, points))) {
-        auto tile = proved(
-            {points_.at(three[0]).at(), points_.at(three[1]).at(), points_.at(three[2]).at()});
-        if (!tile || out.size() == max_tiles_) return std::nullopt;
-        out.push_back(std::move(*tile));
-      }
+    for (const DmsPolygon& polygon : polygons_[i]) {
+      const auto of_polygon = plane.triangles(internal::with_corners(points_, polygon, points));
+      triangles.insert(triangles.end(), of_polygon.begin(), of_polygon.end());
+    }
+  }
+  std::vector<std::optional<DmsTile>> prove(const std::vector<Triangle>& triangles) const {
+    std::vector<std::optional<DmsTile>> out(triangles.size());
+    WorkStep step(options_.work, static_cast<double>(triangles.size()));
+    parallel_for(triangles.size(), kTilesOfChunk, options_.jobs,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k) {
+                     const auto& [a, b, c] = triangles[k];
+                     out[k] = proved({points_.at(a).at(), points_.at(b).at(), points_.at(c).at()});
+                   }
+                   step.add(static_cast<double>(end - begin));
+                 });
     return out;
   }
 
   // With planes that part the triangles of knots, which do not meet it.
-  std::optional<DmsTile> proved(const std::array<DmsPoint, 3>& corners) {
+  std::optional<DmsTile> proved(const std::array<DmsPoint, 3>& corners) const {
     DmsTile tile{corners, {}};
     const std::vector<DmsPoint> all(corners.begin(), corners.end());
     std::optional<std::vector<DmsSupport>> supports;
@@ -180,7 +205,7 @@ class BoundaryTiling {
 
   const DmsModel& model_;
   const TetrahedralComplex& complex_;
-  const std::size_t max_tiles_;
+  const DmsTileOptions& options_;
   DmsKnotTable knots_;
   std::vector<std::vector<DmsPolygon>> polygons_;  // of each face
   internal::DmsPoints points_;
@@ -191,8 +216,8 @@ class BoundaryTiling {
 }  // namespace
 
 std::variant<std::vector<std::vector<DmsTile>>, DmsOpenFace> tile_boundary(
-    const DmsModel& model, const TetrahedralComplex& complex, std::size_t max_tiles_of_face) {
-  return BoundaryTiling(model, complex, max_tiles_of_face).run();
+    const DmsModel& model, const TetrahedralComplex& complex, const DmsTileOptions& options) {
+  return BoundaryTiling(model, complex, options).run();
 }
 
 }  // namespace veritope

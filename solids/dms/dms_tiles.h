@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "robust/base/work_share.h"
 #include "solids/dms/dms_model.h"
 #include "solids/dms/dms_region.h"
 
@@ -16,6 +17,13 @@ struct DmsTile {
   std::array<DmsPoint, 3> corners;
   std::vector<DmsPlane> planes;  ///< part knots from the tile, besides those that are not listed
 };
+/// How the long loops run; what they find does not depend on it.
+struct DmsTileOptions {
+  unsigned jobs = 1;          ///< threads
+  WorkShare* work = nullptr;  ///< what is done of a step, if it is not null
+  std::size_t max_tiles_of_face = 4096;
+};
+
 /// A face of the boundary for which no tiles were found.
 struct DmsOpenFace {
   TetrahedronFace face = 0;
@@ -26,6 +34,6 @@ struct DmsOpenFace {
 /// REQUIRES the complex of the model, and a model without defects of its domain.
 /// @cost  for each face the triangles of knots that cross it, times its tiles
 std::variant<std::vector<std::vector<DmsTile>>, DmsOpenFace> tile_boundary(
-    const DmsModel& model, const TetrahedralComplex& complex, std::size_t max_tiles_of_face = 4096);
+    const DmsModel& model, const TetrahedralComplex& complex, const DmsTileOptions& options = {});
 
 }  // namespace veritope

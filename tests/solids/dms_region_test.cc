@@ -269,7 +269,7 @@ TEST(DmsTiles, TileEachFaceAndNoTriangleOfKnotsMeetsThem) {
 
 TEST(DmsTiles, StopAtTheirLimit) {
   const DmsModel model = block(2, {1, 1, 1}, part(1, 10));
-  EXPECT_EQ(tile_boundary(model, complex_of(model), 2).index(), 1u);
+  EXPECT_EQ(tile_boundary(model, complex_of(model), {1, nullptr, 2}).index(), 1u);
 }
 
 }  // namespace

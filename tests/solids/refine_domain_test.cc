@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,7 @@
 #include "predicates/distance.h"
 #include "robust/base/random.h"
 #include "solids/dms/dms_identity.h"
+#include "solids/dms/dms_make.h"
 #include "solids/dms/domain/mesh_domain.h"
 #include "solids/tetrahedra/delaunay.h"
 #include "tests/predicates/test_scale.h"
@@ -121,6 +123,34 @@ TEST(RefineDomain, MakesTetrahedraOfABoxSmall) {
   for (const int n : {7, 50, 1000}) {
     const RefineLimits limits{ratio(1, n), {}, 100'000};
     expect_refined(shapes::box({0, 0, 0}, {1, 1, 1}), limits, "1 / " + std::to_string(n));
+  }
+}
+
+TEST(RefineDomain, IsTheSameFarFromTheOriginAndInOtherUnits) {
+  const DmsModel domain = hull_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}});
+  for (const bool by_volume : {true, false}) {
+    const auto limits = [&](const Rational& unit) {
+      RefineLimits out;
+      if (by_volume) out.max_volume = unit * unit * unit / Rational(100);
+      if (!by_volume) out.max_radius_edge = Rational(3);
+      out.max_points = 500;
+      return out;
+    };
+    const RefinedDomain expected = refined(domain, limits(Rational(1)));
+    for (const std::int64_t exponent : {0, 1000, -1000}) {
+      const Rational unit = Rational::power_of_two(exponent);
+      DmsModel moved = domain;
+      for (DmsCloud& cloud : moved.clouds)
+        for (Rational& x : cloud[0]) x = unit * (x + Rational::power_of_two(60));
+      set_control_by_rule(moved, DmsControlRule::kGreville, {});
+      const RefinedDomain found = refined(moved, limits(unit));
+      EXPECT_EQ(found.end, expected.end) << exponent;
+      EXPECT_EQ(found.model.tetrahedra, expected.model.tetrahedra) << exponent;
+      EXPECT_EQ(found.largest_radius_edge, expected.largest_radius_edge) << exponent;
+      EXPECT_EQ(found.largest_volume,
+                std::ldexp(expected.largest_volume, static_cast<int>(3 * exponent)))
+          << exponent;
+    }
   }
 }
 

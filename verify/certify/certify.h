@@ -31,7 +31,8 @@ std::string tool_name();
 struct CertifyOptions {
   /// Named in the certificate's statement: at most 200 bytes of printable ASCII without " and \.
   std::string tool = tool_name();
-  unsigned jobs = 1;  ///< threads, of meshes; the result is the same for every number, and 0 is 1
+  /// Threads, of meshes and of the tiles of simplex-spline solids; the result is the same for every number, and 0 is 1.
+  unsigned jobs = 1;
   /// How many findings of a mesh are listed for each broken rule, and how many open sides of patches; all are counted.
   std::size_t max_findings = 20;
   std::function<void(Phase)> on_phase;  ///< called when a phase begins, if there is one

@@ -290,7 +290,8 @@ class DmsCertification {
   }
 
   std::optional<Finding> surface() {
-    auto tiled = tile_boundary(model_, complex_);
+    const DmsTileOptions how{std::max(1u, options_.jobs), options_.work};
+    auto tiled = tile_boundary(model_, complex_, how);
     if (const auto* const open = std::get_if<DmsOpenFace>(&tiled)) {
       const auto v = complex_.vertices(open->face);
       return reason("T2: the face (" + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
@@ -310,7 +311,8 @@ class DmsCertification {
     }
     if (has_long_points()) return reason("B2: corners of tiles have too many bits", "not-covered");
     facts_.patches = all.size();
-    auto proved = prove_surface(patches_on(model_, evaluator, all), "the surface of the solid");
+    auto proved =
+        prove_surface(patches_on(model_, evaluator, all, how), "the surface of the solid");
     if (auto* const fault = std::get_if<SurfaceFault>(&proved)) {
       if (!fault->refutation) return std::move(fault->finding);
       auto refuted = refutation_of(*fault->refutation, pieces, evaluator);

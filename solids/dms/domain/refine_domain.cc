@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "solids/dms/dms_make.h"
+#include "solids/dms/dms_similarity.h"
 #include "solids/dms/domain/refine_mesh.h"
 #include "solids/dms/domain/refine_places.h"
 #include "solids/dms/domain/short_vertices.h"
@@ -295,7 +296,16 @@ Result<RefinedDomain> refine_domain(const DmsModel& domain, const RefineLimits& 
                         limits.max_radius_edge->to_string());
   if (!has_manifold_boundary(domain.tetrahedra))
     return bad_argument("an edge of the boundary belongs to more than two of its faces");
-  return Refiner(domain, limits).run();
+  std::vector<DmsPoint> vertices;
+  for (const DmsCloud& cloud : domain.clouds) vertices.push_back(cloud[0]);
+  const DmsSimilarity units = similarity_of(vertices);
+  if (units.is_identity()) return Refiner(domain, limits).run();
+  RefineLimits scaled = limits;
+  if (scaled.max_volume) *scaled.max_volume *= Rational::power_of_two(-3 * units.exponent);
+  RefinedDomain out = Refiner(units.to_unit(domain), scaled).run();
+  out.model = units.from_unit(std::move(out.model));
+  out.largest_volume = std::ldexp(out.largest_volume, static_cast<int>(3 * units.exponent));
+  return out;
 }
 
 }  // namespace veritope

@@ -8,6 +8,7 @@
 
 #include "predicates/projection.h"
 #include "robust/base/check.h"
+#include "solids/dms/dms_knots.h"
 
 namespace veritope {
 namespace {
@@ -28,9 +29,6 @@ Rational rounded(const Rational& x, int digits) {
 
 ExactPlace exact(const Vec3d& p) {
   return {Rational::from_double(p.x), Rational::from_double(p.y), Rational::from_double(p.z)};
-}
-ExactPlace difference(const ExactPlace& a, const ExactPlace& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 // A point as an origin plus short multiples of directions.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// solids/dms/fit/fit_frame.h: barycentric coordinates in tetrahedra of knots, also where these are so flat that binary64
-// computes no volumes.
+// solids/dms/fit/fit_frame.h: barycentric coordinates in tetrahedra of knots, also where these are so flat that
+// binary64 computes no volumes.
 #pragma once
 #include <array>
 

@@ -48,7 +48,7 @@ class FitBasis {
   SparseRows rows();
   /// The derivatives at point i by eq. 11 of [HHQ04] as the format's page has it, for the knots 0 to n - 1 of the
   /// vertices of all tetrahedra that have a term there. Knots of one vertex that are equal have derivatives of their
-  /// own. None at points with nearly flat tetrahedra near them.
+  /// own. Points with nearly flat tetrahedra near them have no slopes.
   /// @param values  of the control points, num_attributes each
   std::vector<KnotSlope> slopes(std::size_t i, std::span<const double> values,
                                 std::size_t num_attributes);

@@ -173,7 +173,7 @@ class Dms(Folder):
             self.assertEqual(document["points"], [])
             done = run("dms", "make", "bad.vdms", "-o", "x.vdms", "--degree", "2", cwd=self.folder)
             self.assertEqual(done.returncode, 1)
-            self.assertIn("the domain has defects", done.stderr)
+            self.assertIn("the domain has defects: " + code + ":", " ".join(done.stderr.split()))
         model = json.loads(TETRAHEDRON.read_text())
         model["vertices"][3].append(["0", "0", "-1"])
         (self.folder / "bad.vdms").write_text(json.dumps(model))

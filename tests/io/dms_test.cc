@@ -94,7 +94,7 @@ TEST(Dms, RefusalsHaveTheirLine) {
   EXPECT_EQ(outcome_of("veritope-dms-1", "veritope-dms-2"),
             "unknown-format@1: the format must be 'veritope-dms-1', not 'veritope-dms-2'");
   EXPECT_EQ(outcome_of("\"degree\": 2", "\"degree\": 0"),
-            "bad-argument@2: the degree must be from 1 to 9, not 0");
+            "syntax@2: the degree must be from 1 to 9, not 0");
   EXPECT_EQ(outcome_of("\"degree\": 2", "\"degree\": 10"),
             "over-limit@2: the degree must be an integer from 1 to 9, not '10'");
   EXPECT_EQ(outcome_of("\"degree\": 2", "\"degree\": 2.0"),
@@ -107,9 +107,9 @@ TEST(Dms, RefusalsHaveTheirLine) {
   EXPECT_EQ(outcome_of("\"attributes\": [\"density\"]", "\"degree\": 2"),
             "syntax@3: the key 'degree' occurs twice");
   EXPECT_EQ(outcome_of("[\"density\"]", "[\"a\", \"a\"]"),
-            "bad-argument@3: attributes 0 and 1 have the same name");
+            "syntax@3: attributes 0 and 1 have the same name");
   EXPECT_EQ(outcome_of("[\"density\"]", "[\"\"]"),
-            "bad-argument@3: the name of attribute 0 is empty");
+            "syntax@3: the name of attribute 0 is empty");
   EXPECT_EQ(outcome_of("[[\"0\", \"0\", \"0\"]]", "[[\"0\", \"0\"]]"),
             "syntax@5: a knot must have 3 items, not 2");
   EXPECT_EQ(outcome_of("[[\"0\", \"0\", \"0\"]]", "[[\"0\", \"0\", \"0\", \"0\"]]"),
@@ -117,7 +117,7 @@ TEST(Dms, RefusalsHaveTheirLine) {
   EXPECT_EQ(outcome_of("[[\"0\", \"0\", \"0\"]]", "[[\"0\", \"0\", 0]]"),
             "syntax@5: a string expected, but there is '0'");
   EXPECT_EQ(outcome_of("[[\"0\", \"0\", \"0\"]]", "[]"),
-            "bad-argument@5: vertex 0 must have 1, 2 or 3 knots, not 0");
+            "syntax@5: vertex 0 must have 1, 2 or 3 knots, not 0");
   EXPECT_EQ(outcome_of("[[\"0\", \"0\", \"0\"]]",
                        "[[\"0\",\"0\",\"0\"],[\"0\",\"0\",\"0\"],[\"0\","
                        "\"0\",\"0\"],[\"0\",\"0\",\"0\"]]"),
@@ -125,7 +125,7 @@ TEST(Dms, RefusalsHaveTheirLine) {
   EXPECT_EQ(outcome_of("[0,1,2,3]", "[0,1,2,4]"),
             "index-out-of-range@10: tetrahedron 0 has vertex 4 of 4");
   EXPECT_EQ(outcome_of("[0,1,2,3]", "[0,1,2,2]"),
-            "bad-argument@10: tetrahedron 0 has vertex 2 twice");
+            "syntax@10: tetrahedron 0 has vertex 2 twice");
   EXPECT_EQ(outcome_of("[0,1,2,3]", "[0,1,2]"),
             "syntax@10: a tetrahedron must have 4 items, not 3");
   EXPECT_EQ(outcome_of("[0,1,2,3]", "[0,1,2,-3]"),
@@ -138,15 +138,15 @@ TEST(Dms, RefusalsHaveTheirLine) {
 
 TEST(Dms, RefusalsOfControlPointsHaveTheirLine) {
   EXPECT_EQ(outcome_of("{\"at\": [0,0]", "{\"at\": [1,0]"),
-            "bad-argument@12: the vertices of a control point must not decrease, as 1, 0 do");
+            "syntax@12: the vertices of a control point must not decrease, as 1, 0 do");
   EXPECT_EQ(outcome_of("{\"at\": [0,0]", "{\"at\": [0]"),
             "syntax@12: the place of a control point must have 2 items, not 1");
   EXPECT_EQ(outcome_of("{\"at\": [0,0]", "{\"at\": [0,4]"),
             "index-out-of-range@12: a control point is at vertex 4 of 4");
   EXPECT_EQ(outcome_of("{\"at\": [0,0]", "{\"at\": [0,1]"),
-            "bad-argument@13: there are two control points of the vertices [0,1]");
+            "syntax@13: there are two control points of the vertices [0,1]");
   EXPECT_EQ(outcome_of("{\"at\": [0,0], \"value\": [\"0\", \"0\", \"0\", \"1\"]},\n", ""),
-            "bad-argument@11: there is no control point of the vertices [0,0]");
+            "syntax@11: there is no control point of the vertices [0,0]");
   EXPECT_EQ(outcome_of("{\"at\": [0,0], \"value\"", "{\"at\": [0,0], \"values\""),
             "syntax@12: unknown key 'values'");
   EXPECT_EQ(outcome_of("{\"at\": [0,0], ", "{"), "syntax@12: the key 'at' is missing");
@@ -186,11 +186,11 @@ TEST(Dms, SeparateControlPointsNeedWholeClouds) {
     return outcome_of(parse_dms(with_change(from, to, good)));
   };
   EXPECT_EQ(outcome(", [\"2\", \"0\", \"0\"]]", "]"),
-            "bad-argument@6: with separate control points vertex 1 must have 1 or 3 knots, not 2");
+            "syntax@6: with separate control points vertex 1 must have 1 or 3 knots, not 2");
   EXPECT_EQ(outcome("\"beta\": [2,0,0,0]", "\"beta\": [1,0,0,0]"),
-            "bad-argument@12: the numbers of beta must add up to 2, and add up to 1");
+            "syntax@12: the numbers of beta must add up to 2, and add up to 1");
   EXPECT_EQ(outcome("\"beta\": [2,0,0,0]", "\"beta\": [1,1,0,0]"),
-            "bad-argument@13: there are two control points of tetrahedron 0, beta [1,1,0,0]");
+            "syntax@13: there are two control points of tetrahedron 0, beta [1,1,0,0]");
   EXPECT_EQ(outcome("\"tetrahedron\": 0", "\"tetrahedron\": 1"),
             "index-out-of-range@12: a control point is of tetrahedron 1 of 1");
   EXPECT_EQ(outcome("\"beta\": [2,0,0,0]", "\"beta\": [2,0,0]"),
@@ -213,26 +213,26 @@ TEST(Dms, RefusalsWithinAnAttributeDomainHaveTheirLine) {
   EXPECT_EQ(outcome("{\"degree\": 1,\n", "{"),
             "syntax@22: the key 'degree' must come before the key 'attributes'");
   EXPECT_EQ(outcome("\"degree\": 1", "\"degree\": 0"),
-            "bad-argument@22: the degree must be from 1 to 9, not 0");
+            "syntax@22: the degree must be from 1 to 9, not 0");
   EXPECT_EQ(outcome("{\"degree\": 1", "{\"format\": \"veritope-dms-1\", \"degree\": 1"),
             "syntax@22: unknown key 'format'");
   EXPECT_EQ(outcome("{\"degree\": 1", "null, \"degree\": 1").substr(0, 9), "syntax@22");
-  EXPECT_EQ(outcome("[\"heat\"]", "[]"), "bad-argument@23: the attribute domain has no attributes");
+  EXPECT_EQ(outcome("[\"heat\"]", "[]"), "syntax@23: the attribute domain has no attributes");
   EXPECT_EQ(outcome("[\"heat\"]", "[\"density\"]"),
-            "bad-argument@23: attribute 0 of the attribute domain has the name of attribute 0 of "
+            "syntax@23: attribute 0 of the attribute domain has the name of attribute 0 of "
             "the model");
   EXPECT_EQ(outcome("[\"heat\"]", "[\"heat\", \"heat\"]"),
-            "bad-argument@23: attributes 0 and 1 have the same name");
+            "syntax@23: attributes 0 and 1 have the same name");
   EXPECT_EQ(outcome("[\"heat\"]", "[\"heat\", \"load\"]"),
             "syntax@34: a value must have 2 items, not 1");
   EXPECT_EQ(outcome("[0,4,2,3]", "[0,5,2,3]"),
             "index-out-of-range@31: tetrahedron 0 has vertex 5 of 5");
   EXPECT_EQ(outcome("[[\"1\", \"0\", \"0\"]]", "[]"),
-            "bad-argument@26: vertex 1 must have 1 or 2 knots, not 0");
+            "syntax@26: vertex 1 must have 1 or 2 knots, not 0");
   EXPECT_EQ(outcome("{\"at\": [0], \"value\": [\"0\"]},\n", ""),
-            "bad-argument@33: there is no control point of the vertices [0]");
+            "syntax@33: there is no control point of the vertices [0]");
   EXPECT_EQ(outcome("{\"at\": [4]", "{\"at\": [3]"),
-            "bad-argument@38: there are two control points of the vertices [3]");
+            "syntax@38: there are two control points of the vertices [3]");
   EXPECT_EQ(outcome("{\"at\": [4], ", "{"), "syntax@38: the key 'at' is missing");
   EXPECT_EQ(outcome("[\"1\"]}]}", "[\"nan\"]}]}").substr(0, 13), "not-finite@38");
   EXPECT_EQ(outcome("[\"1\"]}]}", "[\"1\"]}],\n\"attribute_domain\": {}}"),

@@ -121,7 +121,7 @@ TEST(MakeDms, RefusesWhatIsNoDomain) {
             "the vertex");
   DmsModel reversed = domain;
   std::swap(reversed.tetrahedra[3][0], reversed.tetrahedra[3][1]);
-  EXPECT_EQ(refusal(reversed, {}), "the domain has defects: tetrahedron 3: d < 0");
+  EXPECT_EQ(refusal(reversed, {}), "the domain has defects: tet-reversed: tetrahedron 3: d < 0");
   DmsModel separate = domain;
   separate.control.is_separate = true;
   EXPECT_EQ(refusal(separate, {}), "a domain must have shared control points");

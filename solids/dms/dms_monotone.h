@@ -23,10 +23,10 @@ struct EnclosedMatrix {
 bool is_monotone(const EnclosedMatrix& r, const EnclosedMatrix& g);
 
 /// R with det R > 0 which is monotone with all G; nothing if none is found: integers below 2^20 in absolute value, or
-/// if these are too short, numerators below 2^40 and denominators that are powers of two up to 2^60. The search is for
-/// the Q that makes Q K monotone, K = M^-1 G F, where F takes a regular tetrahedron to that of the corners and M is the
-/// mean of all G F: it starts from Q = 1, and turns it where a K is against it. Affine maps of the domain and of space
-/// leave all K as they are, but for rounding, so they do not change what is found: R = F^-T Q M^-1.
+/// if these are too short, numerators below 2^40 and denominators that are powers of two up to 2^60. Sought is a Q that
+/// makes Q K monotone (solids/dms/monotone_search.h), K = M^-1 G F, where F takes a regular tetrahedron to that of the
+/// corners and M is the mean of all G F; then R = F^-T Q M^-1. Affine maps of the domain and of space leave all K as
+/// they are, but for rounding.
 /// REQUIRES corners that are not in one plane.
 std::optional<DmsMatrix> find_monotone_matrix(std::span<const EnclosedMatrix* const> all,
                                               const std::array<DmsPoint, 4>& corners);

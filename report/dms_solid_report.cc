@@ -50,7 +50,8 @@ void put_dms_facts(const FileReport& report, Json& out) {
                    {"control_points", f.control_points},
                    {"degree", f.degree},
                    {"leaves", if_valid(f.leaves)},
-                   {"patches", if_valid(f.patches)},
+                   {"patches", f.faces > 0 ? Json(nullptr) : if_valid(f.patches)},
+                   {"faces", f.faces > 0 ? Json(f.faces) : Json(nullptr)},
                    {"bodies", if_valid(f.bodies)},
                    {"defects", f.num_defects}};
   out["defects"] = dms_defects_json(report);
@@ -93,8 +94,12 @@ std::string dms_details(const FileReport& report, const TextOptions&) {
                                counted(f.control_points, "control point", "control points") +
                                ", degree " + std::to_string(f.degree));
   if (report.verdict != Verdict::kValid) return out;
-  return out + detail_line("proof", counted(f.leaves, "leaf", "leaves") + ", " +
-                                        counted(f.patches, "patch", "patches") + " of the surface");
+  return out +
+         detail_line("proof", counted(f.leaves, "leaf", "leaves") + ", " +
+                                  (f.faces > 0
+                                       ? "pairs of " + counted(f.faces, "face", "faces")
+                                       : counted(f.patches, "patch", "patches")) +
+                                  " of the surface");
 }
 
 }  // namespace

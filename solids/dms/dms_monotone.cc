@@ -56,18 +56,7 @@ Plain approximate(const EnclosedMatrix& m) {
   for (std::size_t i = 0; i < 9; ++i) out[i] = m.bounds[i].lo() / 2 + m.bounds[i].hi() / 2;
   return out;
 }
-std::optional<Plain> inverse_of(const Plain& m) {
-  const double d = determinant_of(m);
-  if (!(std::abs(d) > 0) || !std::isfinite(d)) return std::nullopt;
-  const auto minor = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
-    return (m[i] * m[j] - m[k] * m[l]) / d;
-  };
-  return Plain{minor(4, 8, 5, 7), minor(2, 7, 1, 8), minor(1, 5, 2, 4),
-               minor(5, 6, 3, 8), minor(0, 8, 2, 6), minor(2, 3, 0, 5),
-               minor(3, 7, 4, 6), minor(1, 6, 0, 7), minor(0, 4, 1, 3)};
-}
 
-Plain transposed(const Plain& m) { return {m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]}; }
 Plain divided(Plain m, double by) {
   for (double& x : m) x /= by;
   return m;
@@ -80,14 +69,11 @@ double largest_of(const Plain& m) {
 
 // The edges of the tetrahedron as those of a regular one take them.
 Plain frame_of(const std::array<DmsPoint, 4>& corners) {
-  // The inverse of the edges (1, 0, 0), (1/2, sqrt(3)/2, 0), (1/2, sqrt(3)/6, sqrt(2/3)), columns of a matrix.
-  const double a = std::sqrt(3.0), b = std::sqrt(1.5);
-  const Plain regular = {1, -1 / a, -b / 3, 0, 2 / a, -b / 3, 0, 0, b};
   Plain edges;
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t m = 0; m < 3; ++m)
       edges[3 * c + m] = nearest_double(corners[m + 1][c] - corners[0][c]);
-  return internal::multiplied(edges, regular);
+  return internal::from_regular(edges);
 }
 
 DmsMatrix short_matrix(const Plain& r) {
@@ -137,7 +123,7 @@ std::optional<DmsMatrix> find_monotone_matrix(std::span<const EnclosedMatrix* co
                                               const std::array<DmsPoint, 4>& corners) {
   Plain frame = frame_of(corners);
   frame = divided(frame, largest_of(frame));
-  const std::optional<Plain> back = inverse_of(frame);
+  const std::optional<Plain> back = internal::inverse_of(frame);
   if (!back) return std::nullopt;
   std::vector<Plain> k;
   double most = 0;
@@ -157,13 +143,13 @@ std::optional<DmsMatrix> find_monotone_matrix(std::span<const EnclosedMatrix* co
       if (i == 1) m = divided(m, norm);
       for (std::size_t e = 0; e < 9; ++e) mean[e] += i == 0 ? m[e] / norm : m[e];
     }
-    const std::optional<Plain> inverse = inverse_of(mean);
+    const std::optional<Plain> inverse = internal::inverse_of(mean);
     if (!inverse) return std::nullopt;
     for (Plain& m : k) m = internal::multiplied(*inverse, m);
     to_space = internal::multiplied(*inverse, to_space);
   }
   for (Plain& m : k) m = divided(m, internal::norm_of(m));
-  const Plain from_frame = transposed(*back);
+  const Plain from_frame = internal::transposed(*back);
   std::optional<DmsMatrix> out;
   internal::search_monotone(k, [&](const Plain& q) {
     const Plain r = internal::multiplied(internal::multiplied(from_frame, q), to_space);

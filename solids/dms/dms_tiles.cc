@@ -37,8 +37,11 @@ class BoundaryTiling {
   }
 
   std::variant<std::vector<std::vector<DmsTile>>, DmsOpenFace> run() {
+    std::size_t polygons = 0;  // no more than there are tiles
     for (const TetrahedronFace f : complex_.boundary()) {
       if (!cut_face(f)) return DmsOpenFace{f};
+      polygons += polygons_.back().size();
+      if (polygons > options_.max_tiles) return DmsOpenFace{f, true};
       collect_edge_points(f);
     }
     std::vector<Triangle> triangles;
@@ -47,6 +50,7 @@ class BoundaryTiling {
       append_triangles(i, triangles);
       if (triangles.size() - (i == 0 ? 0 : last[i - 1]) > options_.max_tiles_of_face)
         return DmsOpenFace{complex_.boundary()[i]};
+      if (triangles.size() > options_.max_tiles) return DmsOpenFace{complex_.boundary()[i], true};
       last.push_back(triangles.size());
     }
     std::vector<std::optional<DmsTile>> tiles = prove(triangles);

@@ -22,11 +22,13 @@ struct DmsTileOptions {
   unsigned jobs = 1;          ///< threads
   WorkShare* work = nullptr;  ///< what is done of a step, if it is not null
   std::size_t max_tiles_of_face = 4096;
+  std::size_t max_tiles = static_cast<std::size_t>(-1);  ///< of all faces together
 };
 
 /// A face of the boundary for which no tiles were found.
 struct DmsOpenFace {
   TetrahedronFace face = 0;
+  bool is_over_limit = false;  ///< there would be more than max_tiles
 };
 
 /// The tiles of each face of the boundary; those of a face that no triangle of knots meets are the face alone. Tiles of

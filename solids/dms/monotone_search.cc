@@ -176,23 +176,6 @@ class Barrier {
 
 }  // namespace
 
-PlainMatrix multiplied(const PlainMatrix& a, const PlainMatrix& b) {
-  PlainMatrix out{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < 3; ++k) out[3 * i + j] += a[3 * i + k] * b[3 * k + j];
-  return out;
-}
-double determinant_of(const PlainMatrix& m) {
-  return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
-         m[2] * (m[3] * m[7] - m[4] * m[6]);
-}
-double norm_of(const PlainMatrix& m) {
-  double sum = 0;
-  for (const double x : m) sum += x * x;
-  return std::sqrt(sum);
-}
-
 bool search_monotone(std::span<const PlainMatrix> k,
                      const std::function<bool(const PlainMatrix&)>& accept) {
   Barrier barrier(k);

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/dms/monotone_search.h: matrices that make many others positive definite, sought in binary64.
 #pragma once
-#include <array>
 #include <functional>
 #include <span>
 
+#include "solids/dms/plain_matrix.h"
+
 namespace veritope::internal {
-
-/// Row by row.
-using PlainMatrix = std::array<double, 9>;
-
-PlainMatrix multiplied(const PlainMatrix& a, const PlainMatrix& b);
-double determinant_of(const PlainMatrix& m);
-/// The square root of the sum of all squares.
-double norm_of(const PlainMatrix& m);
 
 /// Seeks a Q with Q K + (Q K)^T positive definite for all K, and shows accept() those that it meets, better ones later,
 /// until it takes one; false if it takes none. These are linear inequalities of symmetric matrices, so the set of all Q

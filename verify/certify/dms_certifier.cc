@@ -11,10 +11,12 @@
 
 #include "io/splines/spline_model.h"
 #include "solids/dms/dms_defects.h"
+#include "solids/dms/dms_face_pairs.h"
 #include "solids/dms/dms_hulls.h"
 #include "solids/dms/dms_jacobian.h"
 #include "solids/dms/dms_surface.h"
 #include "solids/dms/dms_tiles.h"
+#include "solids/dms/fast/boundary_volume.h"
 #include "solids/dms/fast/fold_search.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/certify_kinds_internal.h"
@@ -30,6 +32,9 @@ namespace {
 // B2 of the page.
 constexpr int kMaxCertifiedDegree = 6;
 constexpr std::size_t kMaxCertifiedBits = 256, kMaxPointBytes = 128;
+// More tiles are tried only if pairs of faces prove nothing. Tiles take some milliseconds each, but give the volume to
+// more digits.
+constexpr std::size_t kTilesBeforePairs = 1500;
 
 std::string text_of(const DmsPoint& p) {
   return "(" + p[0].to_string() + ", " + p[1].to_string() + ", " + p[2].to_string() + ")";
@@ -73,12 +78,13 @@ class DmsCertification {
           facts_.tetrahedra,
           facts_.control_points,
           facts_.leaves,
-          facts_.patches,
+          pairs_ ? facts_.faces : facts_.patches,
           facts_.genera.size(),
           facts_.bodies,
           std::accumulate(facts_.genera.begin(), facts_.genera.end(), std::uint64_t{0})};
-      out_.certificate = certificate::encode(subject_, quantities, body_);
-      out_.claim = certificate::kDmsClaim;
+      out_.certificate = pairs_ ? certificate::encode(subject_, quantities, *pairs_)
+                                : certificate::encode(subject_, quantities, body_);
+      out_.claim = pairs_ ? certificate::kDms2Claim : certificate::kDmsClaim;
       out_.verdict = Verdict::kValid;
     }
     out_.facts = facts_;
@@ -270,7 +276,8 @@ class DmsCertification {
       for (std::size_t i = 0; i < 4; ++i) text += (i == 0 ? "" : ", ") + text_of(open->corners[i]);
       return reason(std::move(text));
     }
-    for (const DmsLeafTree& tree : std::get<0>(trees)) {
+    trees_ = std::get<0>(std::move(trees));
+    for (const DmsLeafTree& tree : trees_) {
       auto& proof = body_.trees.emplace_back();
       for (const auto& node : tree) {
         if (const auto* const cut = std::get_if<DmsEdgeCut>(&node)) {
@@ -290,9 +297,23 @@ class DmsCertification {
   }
 
   std::optional<Finding> surface() {
-    const DmsTileOptions how{std::max(1u, options_.jobs), options_.work};
+    bool is_over_limit = false;
+    auto open = surface_by_tiles(kTilesBeforePairs, is_over_limit);
+    if ((!open && !is_over_limit) || surface_by_pairs()) return std::nullopt;
+    return is_over_limit ? surface_by_tiles(static_cast<std::size_t>(-1), is_over_limit) : open;
+  }
+
+  // Nothing is found, and nothing open, if there would be more tiles.
+  std::optional<Finding> surface_by_tiles(std::size_t max_tiles, bool& is_over_limit) {
+    body_.tiles.clear();
+    body_.points.clear();
+    numbers_.clear();
+    DmsTileOptions how{std::max(1u, options_.jobs), options_.work};
+    how.max_tiles = max_tiles;
     auto tiled = tile_boundary(model_, complex_, how);
     if (const auto* const open = std::get_if<DmsOpenFace>(&tiled)) {
+      is_over_limit = open->is_over_limit;
+      if (is_over_limit) return std::nullopt;
       const auto v = complex_.vertices(open->face);
       return reason("T2: the face (" + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
                     std::to_string(v[2]) +
@@ -310,7 +331,6 @@ class DmsCertification {
       }
     }
     if (has_long_points()) return reason("B2: corners of tiles have too many bits", "not-covered");
-    facts_.patches = all.size();
     auto proved =
         prove_surface(patches_on(model_, evaluator, all, how), "the surface of the solid");
     if (auto* const fault = std::get_if<SurfaceFault>(&proved)) {
@@ -323,12 +343,52 @@ class DmsCertification {
     auto& surface = std::get<SurfaceProof>(proved);
     if (surface.bodies != domain_.bodies || surface.genera != domain_.genera)
       return reason("W3: the surface of the solid is not that of the domain");
+    facts_.patches = all.size();
     facts_.bodies = surface.bodies;
     facts_.genera = std::move(surface.genera);
     facts_.volume = surface.volume;
     body_.domain = std::move(domain_.boxes);
     body_.surface = std::move(surface.boxes);
     return std::nullopt;
+  }
+
+  // Whether the boundary has one shell, on which blocks and pairs of faces prove the map to be one to one.
+  bool surface_by_pairs() {
+    if (domain_.genera.size() != 1) return false;
+    auto proved = prove_face_pairs(model_, complex_, trees_,
+                                   {std::max(1u, options_.jobs), options_.work});
+    const auto* const found = std::get_if<DmsFacePairs>(&proved);
+    if (found == nullptr) return false;
+    certificate::DmsPairsBody& body = pairs_.emplace();
+    for (const DmsBlock& block : found->blocks) body.blocks.push_back(proof_of(block));
+    for (const DmsFacePair& pair : found->pairs) body.pairs.push_back(proof_of(pair));
+    body.trees = std::move(body_.trees);
+    body.planes = std::move(body_.planes);
+    body.domain = std::move(domain_.boxes);
+    facts_.faces = complex_.boundary().size();
+    facts_.bodies = domain_.bodies;
+    facts_.genera = domain_.genera;
+    facts_.volume = boundary_volume(model_, complex_, found->bounds);
+    return true;
+  }
+  static certificate::DmsBlockProof proof_of(const DmsBlock& block) {
+    certificate::DmsBlockProof out;
+    out.tetrahedra.assign(block.tetrahedra.begin(), block.tetrahedra.end());
+    for (std::size_t i = 0; i < 9; ++i) out.matrix[i] = to_fraction(block.matrix[i]);
+    return out;
+  }
+  static certificate::DmsPairProof proof_of(const DmsFacePair& pair) {
+    certificate::DmsPairProof out;
+    out.first = pair.first;
+    out.second = pair.second;
+    out.kind = static_cast<certificate::DmsPairProof::Kind>(pair.kind);
+    out.chain.assign(pair.chain.begin(), pair.chain.end());
+    out.tetrahedra.assign(pair.tetrahedra.begin(), pair.tetrahedra.end());
+    for (std::size_t i = 0; i < 2; ++i) out.feet[i] = to_fraction(pair.feet[i]);
+    for (const DmsPoint& direction : pair.directions)
+      out.directions.push_back(
+          {to_fraction(direction[0]), to_fraction(direction[1]), to_fraction(direction[2])});
+    return out;
   }
 
   // A face that is its only tile needs no list.
@@ -369,7 +429,9 @@ class DmsCertification {
   std::vector<DmsRefutation> refutations_;  // the first one becomes the certificate
   std::uint64_t num_defects_ = 0;
   SurfaceProof domain_;
+  std::vector<DmsLeafTree> trees_;
   certificate::DmsBody body_;
+  std::optional<certificate::DmsPairsBody> pairs_;  // if the surface is proved by them
   std::map<DmsPoint, std::uint64_t> numbers_;  // of points of tiles
 };
 

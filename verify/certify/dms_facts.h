@@ -24,7 +24,9 @@ struct DmsFacts {
   std::uint64_t tetrahedra = 0, control_points = 0;
   int degree = 1;
   /// If the solid is valid.
-  std::uint64_t leaves = 0, patches = 0, bodies = 0;
+  std::uint64_t leaves = 0, bodies = 0;
+  std::uint64_t patches = 0;  ///< tiles of the boundary; 0 if it is proved by pairs of faces
+  std::uint64_t faces = 0;    ///< of the boundary, if it is
   std::vector<std::uint64_t> genera;  ///< of the shells
   std::optional<Interval> volume;
   /// If it is invalid: one for each finding, in their order.

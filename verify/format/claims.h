@@ -30,7 +30,7 @@ namespace veritope::certificate {
 using AnyBody =
     std::variant<ValidBody, InvalidBody, ReversedBody, StarBoxBody, CollarBody, PatchInvalidBody,
                  PatchMeetingBody, PointsBody, VolumeFoldedBody, VModelBody, VModelInvalidBody,
-                 MicroBody, MicroInsideBody, DmsBody, DmsInvalidBody>;
+                 MicroBody, MicroInsideBody, DmsBody, DmsPairsBody, DmsInvalidBody>;
 
 /// Which entities of the model are surfaces; the others are triangles. Bodies of version 1 about patches do not say so
 /// themselves.

@@ -27,6 +27,7 @@ std::string explain(const VolumeFoldedBody& body, std::string_view claim, std::s
 std::string explain(const VModelBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const VModelInvalidBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const DmsBody& body, std::string_view claim, std::size_t max_items);
+std::string explain(const DmsPairsBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const DmsInvalidBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const MicroBody& body, std::string_view claim, std::size_t max_items);
 std::string explain(const MicroInsideBody& body, std::string_view claim, std::size_t max_items);

@@ -54,15 +54,34 @@ struct DmsTile {
   uint64_t corner[3];
   std::vector<Ratio> planes;
 };
+struct DmsBlock {  // the convex hull of some tetrahedra
+  std::vector<uint64_t> tetrahedra;
+  std::vector<Ratio> r;
+  std::vector<Ratio> planes;  // four numbers each
+};
+struct DmsPair {  // of faces of the boundary, by their numbers
+  enum Kind { kApart, kChain, kAtEdge };
+  uint64_t face[2];
+  Kind kind;
+  std::vector<uint64_t> chain, tetrahedra;  // of vertices; with the edges between them
+  std::vector<Ratio> feet;                  // two, of kAtEdge
+  std::vector<Ratio> directions;            // three numbers each
+};
 struct DmsBody {
   uint64_t faces = 0;
-  std::vector<Ratio> added;  // three coordinates each
   std::vector<DmsTree> trees;
   std::vector<std::vector<Ratio>> planes;  // of each face of the boundary
+  Body domain = {nullptr, nullptr};
+  // Of dms-solid-1.
+  std::vector<Ratio> added;  // three coordinates each
   std::vector<std::vector<DmsTile>> tiles;
-  Body domain = {nullptr, nullptr}, surface = {nullptr, nullptr};
+  Body surface = {nullptr, nullptr};
+  // Of dms-solid-2.
+  std::vector<DmsBlock> blocks;
+  std::vector<DmsPair> pairs;
 };
-DmsBody read_dms_body(const DmsFile& file, const Body& body);  // B1 but F, B2
+DmsBody read_dms_body(const DmsFile& file, const Body& body);    // B1 but F, B2
+DmsBody read_dms_body_2(const DmsFile& file, const Body& body);  // the same of dms-solid-2
 
 struct DmsFace {  // of the boundary
   std::array<uint32_t, 3> vertex;
@@ -114,3 +133,5 @@ void check_dms_jacobian(const DmsModel& model, const DmsBody& body, Units* units
 // T1 to T3.
 DmsNumbers check_dms_surface(const DmsModel& model, const DmsBody& body, uint64_t file_bytes,
                              Units* units);
+// U1 to U6.
+void check_dms_pairs(const DmsModel& model, const DmsBody& body, Units* units);

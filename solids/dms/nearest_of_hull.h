@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// solids/dms/nearest_of_hull.h: directions that have positive products with many vectors, sought in binary64.
+#pragma once
+#include <array>
+#include <functional>
+#include <optional>
+
+namespace veritope::internal {
+
+using PlainVector = std::array<double, 3>;
+
+double dot_product(const PlainVector& a, const PlainVector& b);
+
+/// About the point nearest to the origin of the convex hull of some vectors, of which least(w) is one with the least
+/// product with w. If the hull misses the origin, the point has positive products with all of them, and of all
+/// directions of its length it has the greatest least one. Nothing if the hull seems to contain the origin.
+/// @cost  some ten calls of least()
+/// Source: E. G. Gilbert, D. W. Johnson, S. S. Keerthi, A fast procedure for computing the distance between complex
+/// objects in three-dimensional space, IEEE J. Robotics and Automation 4 (1988), 193-203
+std::optional<PlainVector> nearest_of_hull(
+    const std::function<PlainVector(const PlainVector& w)>& least);
+
+}  // namespace veritope::internal

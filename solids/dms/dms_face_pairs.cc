@@ -185,38 +185,7 @@ class FacePairProof {
     for (const TetrahedronFace f : boundary()) {
       make_form(face_tetrahedron(f));
       faces_.push_back(values_on(f));
-      out_.bounds.push_back(bounds_on(f));
     }
-  }
-  // Boxes around the derivatives along an edge.
-  DmsFaceBounds bounds_on(TetrahedronFace f) const {
-    const TetrahedronForm& form = forms_.at(face_tetrahedron(f));
-    const auto v = complex_.vertices(f);
-    DmsFaceBounds out;
-    for (std::size_t e = 0; e < 3; ++e) {
-      const DmsPoint& begin = place(v[e == 2 ? 1 : 0]);
-      const IntervalVector along = enclosed(difference(place(v[e == 0 ? 1 : 2]), begin));
-      const ScopedUpward upward;
-      IntervalVector low, high;
-      Interval length(0.0);
-      for (const EnclosedMatrix* const g : form.derivatives) {
-        const auto& m = g->bounds;
-        const IntervalVector image = {product({m[0], m[1], m[2]}, along),
-                                      product({m[3], m[4], m[5]}, along),
-                                      product({m[6], m[7], m[8]}, along)};
-        const bool is_first = g == form.derivatives[0];
-        for (std::size_t c = 0; c < 3; ++c) {
-          low[c] = Interval(is_first ? image[c].lo() : std::min(low[c].lo(), image[c].lo()));
-          high[c] = Interval(is_first ? image[c].hi() : std::max(high[c].hi(), image[c].hi()));
-        }
-        length = Interval(std::max(length.hi(), sqrt(product(image, image)).hi()));
-      }
-      IntervalVector size;
-      for (std::size_t c = 0; c < 3; ++c) size[c] = high[c] - low[c];
-      out.spread = std::max(out.spread, sqrt(product(size, size)).hi());
-      if (e < 2) out.slopes[e] = length.hi();
-    }
-    return out;
   }
   const TetrahedronForm& make_form(std::uint32_t tetrahedron) {
     TetrahedronForm& form = forms_[tetrahedron];

@@ -38,18 +38,11 @@ struct DmsFacePair {
   std::array<Rational, 2> feet = {};
 };
 
-/// Of the derivatives along the edges of a face, as vectors, by the V_γ that reach into its tetrahedron.
-struct DmsFaceBounds {
-  double spread = 0;               ///< how much two of them differ at most, along one edge
-  std::array<double, 2> slopes{};  ///< their greatest lengths along the edges from the first corner
-};
-
 /// Pairs are in ascending order. Not listed are two faces whose tetrahedra are in one block with a matrix, and two
 /// without a common vertex whose images have boxes that are apart.
 struct DmsFacePairs {
   std::vector<DmsBlock> blocks;
   std::vector<DmsFacePair> pairs;
-  std::vector<DmsFaceBounds> bounds;  ///< of each face
 };
 
 /// Places of two faces, perhaps of one twice, for which nothing was found.

@@ -16,7 +16,6 @@
 #include "solids/dms/dms_jacobian.h"
 #include "solids/dms/dms_surface.h"
 #include "solids/dms/dms_tiles.h"
-#include "solids/dms/fast/boundary_volume.h"
 #include "solids/dms/fast/fold_search.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/certify_kinds_internal.h"
@@ -368,7 +367,6 @@ class DmsCertification {
     facts_.faces = complex_.boundary().size();
     facts_.bodies = domain_.bodies;
     facts_.genera = domain_.genera;
-    facts_.volume = boundary_volume(model_, complex_, found->bounds);
     return true;
   }
   static certificate::DmsBlockProof proof_of(const DmsBlock& block) {

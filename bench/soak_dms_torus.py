@@ -121,7 +121,7 @@ def measure(options, folder, along, across):
     found = json.loads(report.read_text())["files"][0]
     if found["verdict"] != "VALID" or [shell["genus"] for shell in found["shells"]] != [1]:
         raise SystemExit("the torus is not proved to be one")
-    figures["patches"] = found["counts"]["patches"]
+    figures["patches"], figures["faces"] = found["counts"]["patches"], found["counts"]["faces"]
     figures["certificate_bytes"] = proof.stat().st_size
     print(json.dumps(figures), file=sys.stderr)
     return figures

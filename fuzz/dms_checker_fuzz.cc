@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// fuzz/dms_checker_fuzz.cc: gives any simplex-spline solid and any certificate of dms-solid-1 or dms-invalid-1 to the
-// C++ checker, which must not crash or hang, and must not accept two claims about one file with different shells,
+// fuzz/dms_checker_fuzz.cc: gives any simplex-spline solid and any certificate of dms-solid-1, dms-solid-2 or
+// dms-invalid-1 to the C++ checker, which must not crash or hang, and must not accept two claims about one file with different shells,
 // bodies or genus, or a defect that contradicts them. What it accepts can be explained, and encoded again, if the
 // claim is one of those that the library knows. An input is the size of the file (4 bytes, little-endian), the file,
 // the certificate. The mutator changes digits of the file, numbers of the statement and the body, and then corrects
@@ -22,7 +22,7 @@ namespace veritope::fuzz {
 namespace {
 
 constexpr const char* kDmsNumbers[] = {"shells",         "bodies", "genus",  "tetrahedra",
-                                       "control_points", "leaves", "patches"};
+                                       "control_points", "leaves", "patches", "faces"};
 constexpr std::size_t kNumbersOfTheSolid = 5;  // the first ones; the others are those of the proof
 constexpr const char* kDmsFindings[] = {"tet-reversed",
                                         "tet-face-overused",
@@ -43,8 +43,8 @@ constexpr const char* kDmsFindings[] = {"tet-reversed",
   std::abort();
 }
 
-// What the statement says about the solid: two such texts about one file are equal. Empty: nothing that dms-solid-1
-// would contradict, which needs no common inner points of clouds.
+// What the statement says about the solid: two such texts about one file are equal. Empty: nothing that dms-solid-1 or
+// dms-solid-2 would contradict, which needs no common inner points of clouds.
 std::string said_of_the_solid(const std::string& statement, bool is_solid) {
   if (!is_solid) return get(statement, "finding") == "cloud-no-core" ? "" : "a defect";
   std::string numbers;
@@ -56,7 +56,8 @@ std::string said_of_the_solid(const std::string& statement, bool is_solid) {
 void check_dms_input(const Input& in) {
   const std::string statement = in.certificate.substr(0, in.certificate.find('\n'));
   const std::string claim = get(statement, "claim");
-  if (claim != "dms-solid-1" && claim != "dms-invalid-1") return;
+  const bool is_solid = claim == "dms-solid-1" || claim == "dms-solid-2";
+  if (!is_solid && claim != "dms-invalid-1") return;
   const std::span<const unsigned char> bytes(
       reinterpret_cast<const unsigned char*>(in.certificate.data()), in.certificate.size());
   std::string why;
@@ -67,7 +68,7 @@ void check_dms_input(const Input& in) {
   if (answer.substr(0, 7) != "ACCEPT ") return;
   if (certificate::find_claim(claim) != nullptr && (!is_explained || !decoded))
     fail_dms(answer + "\nbut it is not explained: " + why);
-  const std::string said = said_of_the_solid(statement, claim == "dms-solid-1");
+  const std::string said = said_of_the_solid(statement, is_solid);
   if (said.empty()) return;
   static std::map<std::string, std::string>* const known = new std::map<std::string, std::string>;
   const std::string& before = known->emplace(hash(in.model), said).first->second;

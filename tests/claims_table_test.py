@@ -20,6 +20,7 @@ import attacks  # noqa: E402
 import collar_liars  # noqa: E402
 import dms_invalid_liars  # noqa: E402
 import dms_liars  # noqa: E402
+import dms_pairs_liars  # noqa: E402
 import every_claim  # noqa: E402
 import fold_liars  # noqa: E402
 import invalid_liars  # noqa: E402
@@ -77,6 +78,7 @@ LIARS = {
     "vmodel-1": of_patches(vmodel_liars.vmodel_attacks),
     "microstructure-1": of_patches(micro_liars.micro_attacks),
     "dms-solid-1": of_patches(dms_liars.dms_attacks),
+    "dms-solid-2": of_patches(dms_pairs_liars.dms_pairs_attacks),
     "dms-invalid-1": of_patches(dms_invalid_liars.dms_invalid_attacks),
     "micro-inside-1": of_models(micro_inside_liars.inside_attacks),
     "vmodel-invalid-1": of_patches(vmodel_invalid_liars.invalid_cells_attacks),

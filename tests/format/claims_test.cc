@@ -196,6 +196,24 @@ DmsBody dms() {
   return b;
 }
 
+DmsPairsBody dms_pairs() {
+  DmsBody of_tiles = dms();
+  const Fraction half{false, {1}, {2}}, odd{true, {3, 1}, {7, 9}};
+  DmsPairsBody b;
+  b.trees = of_tiles.trees;
+  b.planes = of_tiles.planes;
+  b.blocks = {{{0}, {half, odd, half, odd, half, odd, odd, odd, half}, {}},
+              {{1, 300}, {half, odd, half, odd, half, odd, odd, odd, odd}, of_tiles.planes[1]}};
+  const std::array<Fraction, 3> direction{half, odd, half}, other{odd, odd, half};
+  using Kind = DmsPairProof::Kind;
+  b.pairs = {{0, 1, Kind::kApart, {}, {}, {}, {direction}},
+             {0, 300, Kind::kChain, {7}, {}, {}, {other}},
+             {1, 2, Kind::kChain, {4, 500, 6}, {0, 1}, {}, {direction}},
+             {2, 3, Kind::kAtEdge, {}, {}, {half, odd}, {direction, other}}};
+  b.domain = star_2();
+  return b;
+}
+
 // A body of each kind of finding.
 std::vector<VModelInvalidBody> invalid_vmodels() {
   const CellPoint a{3, {{{0, {0, 1}}, {300, {1, 2}}, {1, {3, 7}}}}};
@@ -297,6 +315,7 @@ std::map<std::string, Example, std::less<>> examples() {
   all["microstructure-1"] = {
       encode(subject, MicroQuantities{}, micro()), {micro(), micro_with_sweeps()}, {}};
   all["dms-solid-1"] = {encode(subject, DmsQuantities{}, dms()), {dms()}, {}};
+  all["dms-solid-2"] = {encode(subject, DmsQuantities{}, dms_pairs()), {dms_pairs()}, {}};
   std::vector<AnyBody> findings;
   for (const VModelInvalidBody& body : invalid_vmodels()) findings.emplace_back(body);
   all["vmodel-invalid-1"] = {encode(subject, invalid_vmodels()[0]), std::move(findings), {}};

@@ -135,6 +135,33 @@ class Cursor:
         return [self.rationals(4) for _ in range(self.varint())]
 
 
+def planes_of(those):
+    return varint(len(those)) + b"".join(rational(x) for p in those for x in p)
+
+
+def tree_of(c):
+    nodes, open_nodes = [], 1
+    while open_nodes:
+        symbol = c.take(1)[0]
+        if symbol >= 12:
+            nodes.append(["leaf", symbol, c.rationals(9), c.planes()])
+            open_nodes -= 1
+        else:
+            nodes.append(["cut", symbol % 6, c.rational() if symbol >= 6 else None])
+            open_nodes += 1
+    return nodes
+
+
+def trees_as_bytes(trees):
+    out = b""
+    for node in itertools.chain.from_iterable(trees):
+        if node[0] == "leaf":
+            out += bytes([node[1]]) + b"".join(map(rational, node[2])) + planes_of(node[3])
+        else:
+            out += bytes([node[1] + 6 * (node[2] is not None)]) + (b"" if node[2] is None else rational(node[2]))
+    return out
+
+
 class Body:
     """trees: of nodes ("cut", edge, t or None) or ("leaf", kind, 9 numbers, planes); tiles: (points, planes) each."""
 
@@ -143,38 +170,68 @@ class Body:
         self.magic = c.take(4)
         tetrahedra, faces = c.u32(), c.u32()
         self.points = [c.rationals(3) for _ in range(c.u32())]
-        self.trees = [self.tree(c) for _ in range(tetrahedra)]
+        self.trees = [tree_of(c) for _ in range(tetrahedra)]
         self.planes = [c.planes() for _ in range(faces)]
         self.tiles = [[([c.varint() for _ in range(3)], c.planes()) for _ in range(c.varint())] for _ in range(faces)]
         self.domain, self.surface = c.take(c.u32()), c.take(c.u32())
         assert c.at == len(data)
 
-    @staticmethod
-    def tree(c):
-        nodes, open_nodes = [], 1
-        while open_nodes:
-            symbol = c.take(1)[0]
-            if symbol >= 12:
-                nodes.append(["leaf", symbol, c.rationals(9), c.planes()])
-                open_nodes -= 1
-            else:
-                nodes.append(["cut", symbol % 6, c.rational() if symbol >= 6 else None])
-                open_nodes += 1
-        return nodes
+    def encode(self):
+        out = self.magic + struct.pack("<III", len(self.trees), len(self.planes), len(self.points))
+        out += b"".join(rational(x) for point in self.points for x in point) + trees_as_bytes(self.trees)
+        out += b"".join(map(planes_of, self.planes))
+        for tiles in self.tiles:
+            out += varint(len(tiles)) + b"".join(b"".join(map(varint, at)) + planes_of(those) for at, those in tiles)
+        return out + b"".join(struct.pack("<I", len(part)) + part for part in (self.domain, self.surface))
+
+    def counts(self):
+        return {"patches": sum(len(tiles) or 1 for tiles in self.tiles)}
+
+
+APART, CHAIN, AT_EDGE = range(3)
+
+
+class Pair:
+    """Two faces of the boundary: chain, tetrahedra of a CHAIN; feet of AT_EDGE; directions, two of AT_EDGE."""
+
+    def __init__(self, c):
+        self.faces, self.kind = [c.varint(), c.varint()], c.take(1)[0]
+        edges = c.varint() if self.kind == CHAIN else -1
+        self.chain, self.tetrahedra = [c.varint() for _ in range(edges + 1)], [c.varint() for _ in range(edges)]
+        self.feet = c.rationals(2 if self.kind == AT_EDGE else 0)
+        self.directions = [c.rationals(3) for _ in range(2 if self.kind == AT_EDGE else 1)]
 
     def encode(self):
-        planes = lambda those: varint(len(those)) + b"".join(rational(x) for p in those for x in p)   # noqa: E731
-        out = self.magic + struct.pack("<III", len(self.trees), len(self.planes), len(self.points))
-        out += b"".join(rational(x) for point in self.points for x in point)
-        for node in itertools.chain.from_iterable(self.trees):
-            if node[0] == "leaf":
-                out += bytes([node[1]]) + b"".join(map(rational, node[2])) + planes(node[3])
-            else:
-                out += bytes([node[1] + 6 * (node[2] is not None)]) + (b"" if node[2] is None else rational(node[2]))
-        out += b"".join(map(planes, self.planes))
-        for tiles in self.tiles:
-            out += varint(len(tiles)) + b"".join(b"".join(map(varint, at)) + planes(those) for at, those in tiles)
-        return out + b"".join(struct.pack("<I", len(part)) + part for part in (self.domain, self.surface))
+        out = b"".join(map(varint, self.faces)) + bytes([self.kind])
+        if self.kind == CHAIN:
+            out += b"".join(map(varint, [len(self.tetrahedra), *self.chain, *self.tetrahedra]))
+        return out + b"".join(map(rational, [*self.feet, *itertools.chain.from_iterable(self.directions)]))
+
+
+class PairsBody:
+    """Of version 2. blocks: [tetrahedra, 9 numbers, planes] each; pairs: of class Pair."""
+
+    def __init__(self, data):
+        c = Cursor(data)
+        self.magic = c.take(4)
+        tetrahedra, faces, blocks, pairs = (c.u32() for _ in range(4))
+        self.trees = [tree_of(c) for _ in range(tetrahedra)]
+        self.planes = [c.planes() for _ in range(faces)]
+        self.blocks = [[[c.varint() for _ in range(c.varint())], c.rationals(9), c.planes()] for _ in range(blocks)]
+        self.pairs = [Pair(c) for _ in range(pairs)]
+        self.domain = c.take(c.u32())
+        assert c.at == len(data)
+
+    def encode(self):
+        out = self.magic + struct.pack("<IIII", len(self.trees), len(self.planes), len(self.blocks), len(self.pairs))
+        out += trees_as_bytes(self.trees) + b"".join(map(planes_of, self.planes))
+        for tetrahedra, matrix, planes in self.blocks:
+            out += varint(len(tetrahedra)) + b"".join(map(varint, tetrahedra)) + b"".join(map(rational, matrix)) + planes_of(planes)
+        out += b"".join(pair.encode() for pair in self.pairs)
+        return out + struct.pack("<I", len(self.domain)) + self.domain
+
+    def counts(self):
+        return {"faces": len(self.planes)}
 
 
 class Proof:
@@ -182,13 +239,13 @@ class Proof:
 
     def __init__(self, data, certificate):
         line, body = certificate.split(b"\n", 1)
-        self.data, self.statement, self.body = data, json.loads(line), Body(body)
+        self.data, self.statement = data, json.loads(line)
+        self.body = (PairsBody if body[:4] == b"VTD2" else Body)(body)
 
     def certificate(self, body=None, **values):
-        """With all hashes right, and the number of leaves and of patches that the body has."""
+        """With all hashes right, and the number of leaves and of patches or faces that the body has."""
         body = self.body.encode() if body is None else body
-        counts = {"leaves": sum(node[0] == "leaf" for tree in self.body.trees for node in tree),
-                  "patches": sum(len(tiles) or 1 for tiles in self.body.tiles)}
+        counts = {"leaves": sum(node[0] == "leaf" for tree in self.body.trees for node in tree), **self.body.counts()}
         statement = {**self.statement, "subject_sha256": hashlib.sha256(self.data).hexdigest(),
                      "subject_bytes": len(self.data), "body_sha256": hashlib.sha256(body).hexdigest(), **counts, **values}
         return json.dumps(statement, separators=(",", ":")).encode() + b"\n" + body

@@ -28,6 +28,7 @@ COMMANDS = {
     "vmodel-invalid-1": (PATCHES / "left_handed_smallest.itd", "--orient", "keep"),
     "microstructure-1": (MODELS / "micro" / "three_cells.vmicro",),
     "dms-solid-1": (MODELS / "dms" / "inner_clouds.vdms",),
+    "dms-solid-2": (MODELS / "dms" / "outward_clouds.vdms",),
     "dms-invalid-1": (MODELS / "dms" / "folded.vdms",),
     "micro-inside-1": (MODELS / "micro" / "three_cells.vmicro",),
 }

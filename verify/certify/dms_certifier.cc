@@ -33,7 +33,7 @@ constexpr int kMaxCertifiedDegree = 6;
 constexpr std::size_t kMaxCertifiedBits = 256, kMaxPointBytes = 128;
 // More tiles are tried only if pairs of faces prove nothing. Tiles take some milliseconds each, but give the volume to
 // more digits.
-constexpr std::size_t kTilesBeforePairs = 1500;
+constexpr std::size_t kTilesBeforePairs = 500;
 
 std::string text_of(const DmsPoint& p) {
   return "(" + p[0].to_string() + ", " + p[1].to_string() + ", " + p[2].to_string() + ")";

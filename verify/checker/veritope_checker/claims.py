@@ -28,6 +28,8 @@ V_FINDINGS = "flat|left-handed|singular|overlap|curve-nonmanifold|point-nonmanif
 OF_MICROSTRUCTURES = {name: int for name in (
     "cells", "tiles", "bridges", "glued_caps", "components", "shells", "genus")}
 OF_DMS = {name: int for name in ("tetrahedra", "control_points", "leaves", "patches", "shells", "bodies", "genus")}
+OF_DMS_PAIRS = {name: int for name in (
+    "tetrahedra", "control_points", "leaves", "faces", "shells", "bodies", "genus")}
 DMS_FINDINGS = ("tet-reversed|tet-face-overused|cloud-degenerate|cloud-no-core|cloud-inside|jacobian|jacobian-zero|"
                 "M4|M6|M7|M9|meeting|crossing")
 A_RATIO = r"[0-9]{1,100}(/(?!0+\Z)[0-9]{1,100})?"
@@ -55,6 +57,7 @@ CLAIMS = {claim.name: claim for claim in (
     Claim("vmodel-invalid-1", b"VTVI", VOLUMES, {"finding": V_FINDINGS, "cells": int}, "vmodel.vmodel_invalid_check"),
     Claim("microstructure-1", b"VTMS", ("vmicro",), OF_MICROSTRUCTURES, "micro.micro_check"),
     Claim("dms-solid-1", b"VTDM", ("vdms",), OF_DMS, "dms.dms_check"),
+    Claim("dms-solid-2", b"VTD2", ("vdms",), OF_DMS_PAIRS, "dms.dms_pairs_check"),
     Claim("dms-invalid-1", b"VTDI", ("vdms",), {"finding": DMS_FINDINGS, "tetrahedra": int}, "dms.dms_invalid_check"),
     Claim("micro-inside-1", b"VTIM", ("vmicro",), OF_INSIDES, "micro.inside_check", about_model=True),
 )}

@@ -14,8 +14,7 @@ class Leaf:
     """is_p: its kind; matrix: three rows; planes: (vector, number) each."""
 
     def __init__(self, body, is_p):
-        entries = [body.rational() for _ in range(9)]
-        self.is_p, self.matrix = is_p, [entries[i:i + 3] for i in (0, 3, 6)]
+        self.is_p, self.matrix = is_p, read_matrix(body)
         self.planes = read_planes(body)
 
 class Tile:
@@ -27,9 +26,36 @@ class Tile:
             raise Reject("B1", "a tile has a point that does not exist")
         self.planes = read_planes(body)
 
-class Certificate:
-    """points: added ones; trees: of each tetrahedron, in preorder, a Leaf or (edge, t); planes, tiles: of each face of
-    the boundary; domain, surface: bytes."""
+class AnyCertificate:
+    """What the certificates of all versions have. trees: of each tetrahedron, in preorder, a Leaf or (edge, t); planes:
+    of each face of the boundary; domain: bytes."""
+
+    def why_too_long(self, model):
+        """Why B2 does not hold, or None."""
+        why = why_model_too_long(model)
+        if not why and (is_long(self.words(), MAX_WORD_BITS) or is_long(self.numbers(), MAX_BITS)):
+            why = "a number of the body is too long"
+        return why
+
+    def nodes(self):
+        return (node for tree in self.trees for node in tree)
+
+    def words(self):
+        """Lists of the numbers with the lower limit: those of all nodes."""
+        for node in self.nodes():
+            yield from node.matrix if type(node) is Leaf else [[node[1]]]
+
+    def numbers(self):
+        """Lists of the other numbers: all planes."""
+        return ([*vector, c] for planes in self.holders() for vector, c in planes)
+
+    def holders(self):
+        """All lists of planes."""
+        yield from (node.planes for node in self.nodes() if type(node) is Leaf)
+        yield from self.planes
+
+class Certificate(AnyCertificate):
+    """points: added ones; tiles: of each face of the boundary; surface: bytes."""
 
     def __init__(self, data, model):
         body = Body(data)
@@ -41,26 +67,15 @@ class Certificate:
         self.planes = [read_planes(body) for _ in range(num_faces)]
         num_points = len(model.clouds) + len(self.points)
         self.tiles = [[Tile(body, num_points) for _ in range(counted(body, TILE))] for _ in range(num_faces)]
-        self.domain = body.bytes(int.from_bytes(body.bytes(4), "little"))
-        self.surface = body.bytes(int.from_bytes(body.bytes(4), "little"))
+        self.domain, self.surface = read_part(body), read_part(body)
         body.end()
 
-    def why_too_long(self, model):
-        """Why B2 does not hold, or None."""
-        why = why_model_too_long(model)
-        if why:
-            return why
-        nodes = [node for tree in self.trees for node in tree]
-        words = [row for node in nodes if type(node) is Leaf for row in node.matrix]
-        words += [[node[1]] for node in nodes if type(node) is not Leaf]
-        lists = [*self.points, *([*vector, c] for holder in self.holders(nodes) for vector, c in holder)]
-        if is_long(lists, MAX_BITS) or is_long(words, MAX_WORD_BITS):
-            return "a number of the body is too long"
+    def numbers(self):
+        yield from self.points
+        yield from super().numbers()
 
-    def holders(self, nodes):
-        """All lists of planes."""
-        yield from (node.planes for node in nodes if type(node) is Leaf)
-        yield from self.planes
+    def holders(self):
+        yield from super().holders()
         yield from (tile.planes for tiles in self.tiles for tile in tiles)
 
 def why_model_too_long(model):
@@ -72,6 +87,13 @@ def why_model_too_long(model):
 
 def is_long(lists, most):
     return any(max(abs(c.numerator), c.denominator) >> most for numbers in lists for c in numbers)
+
+def read_part(body):
+    return body.bytes(int.from_bytes(body.bytes(4), "little"))
+
+def read_matrix(body):
+    """Three rows."""
+    return [[body.rational() for _ in range(3)] for _ in range(3)]
 
 def counted(body, size):
     n = body.varint()

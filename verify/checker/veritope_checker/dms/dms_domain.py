@@ -29,6 +29,11 @@ def boundary_of(model, fail=lambda condition, why: None):
         fail("D2", "the tetrahedra have no boundary")
     return boundary
 
+def owners_of(model, boundary):
+    """The tetrahedron of each face of the boundary."""
+    owners = {cycle(face): t for t, corners in enumerate(model.tetrahedra) for face in faces_of(corners)}
+    return [owners[cycle(face)] for face in boundary]
+
 def test_tetrahedra(spline, fail):
     """D1."""
     for t in range(len(spline.model.tetrahedra)):

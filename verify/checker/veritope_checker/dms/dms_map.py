@@ -47,6 +47,7 @@ class Map:
         used = range(model.degree)
         self.tree = BoxTree([box_of([self.knots[v][i] for v in t for i in used]) for t in model.tetrahedra])
         self.cells = BoxTree([box_of(self.corners(t)) for t in range(len(model.tetrahedra))])
+        self.affine_maps = {}                               # by tetrahedron and gamma
         self.names = {}                                     # of different knots, so that V is a list of numbers
         self.places = []
 
@@ -78,6 +79,18 @@ class Map:
     def derivative(self, t, gamma):
         """G_gamma, but for a positive factor: rows are components."""
         return linear_part(self.w_of(t, gamma), self.values_about(t, gamma))
+
+    def affine(self, t, gamma):
+        """L_gamma in integers: (rows, offset, denominator > 0), it takes q to (rows q + offset) / denominator. So the
+        rows are those of G_gamma times a positive factor."""
+        if (t, gamma) not in self.affine_maps:
+            rows = self.derivative(t, gamma)
+            origin, value = self.w_of(t, gamma)[0], self.values_about(t, gamma)[0]
+            offset = [c - dot(row, origin) for row, c in zip(rows, value)]
+            denominator = lcm(*[c.denominator for row in (*rows, offset) for c in row])
+            self.affine_maps[t, gamma] = ([[int(c * denominator) for c in row] for row in rows],
+                                          [int(c * denominator) for c in offset], denominator)
+        return self.affine_maps[t, gamma]
 
     def at(self, point, near):
         """s at a point of the domain (scaled). near: (tetrahedron, gamma) of all V_gamma whose hulls have the point."""

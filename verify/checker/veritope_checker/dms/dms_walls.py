@@ -3,12 +3,13 @@
 from ..common.vectors import cross, dot, sub
 
 class Region:
-    """A tetrahedron, or a triangle, with the planes that may part knots from it. planes: (vector, number), all of the
-    region on one closed side, not all of it in the plane; other ones are left out."""
+    """A triangle, a tetrahedron, or the convex hull of several ones, with the planes that may part knots from it.
+    planes: (vector, number), all of the region on one closed side, not all of it in the plane; other ones are left
+    out."""
 
     def __init__(self, corners, planes):
         self.corners, self.masks = corners, {}
-        self.normal = None if len(corners) == 4 else normal_of(corners)
+        self.normal = normal_of(corners) if len(corners) == 3 else None
         self.lows = [min(c) for c in zip(*corners)]
         self.highs = [max(c) for c in zip(*corners)]
         self.sides = []

@@ -21,7 +21,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 namespace veritope::fuzz {
 namespace {
 
-constexpr const char* kDmsNumbers[] = {"shells",         "bodies", "genus",  "tetrahedra",
+constexpr const char* kDmsNumbers[] = {"shells",         "bodies", "genus",   "tetrahedra",
                                        "control_points", "leaves", "patches", "faces"};
 constexpr std::size_t kNumbersOfTheSolid = 5;  // the first ones; the others are those of the proof
 constexpr const char* kDmsFindings[] = {"tet-reversed",

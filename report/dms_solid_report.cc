@@ -96,9 +96,8 @@ std::string dms_details(const FileReport& report, const TextOptions&) {
   if (report.verdict != Verdict::kValid) return out;
   return out +
          detail_line("proof", counted(f.leaves, "leaf", "leaves") + ", " +
-                                  (f.faces > 0
-                                       ? "pairs of " + counted(f.faces, "face", "faces")
-                                       : counted(f.patches, "patch", "patches")) +
+                                  (f.faces > 0 ? "pairs of " + counted(f.faces, "face", "faces")
+                                               : counted(f.patches, "patch", "patches")) +
                                   " of the surface");
 }
 

@@ -49,9 +49,7 @@ DmsPoint image_of(const DmsMatrix& m, const DmsPoint& v) {
     out[i] = m[3 * i] * v[0] + m[3 * i + 1] * v[1] + m[3 * i + 2] * v[2];
   return out;
 }
-IntervalVector enclosed(const DmsPoint& p) {
-  return {enclose(p[0]), enclose(p[1]), enclose(p[2])};
-}
+IntervalVector enclosed(const DmsPoint& p) { return {enclose(p[0]), enclose(p[1]), enclose(p[2])}; }
 IntervalVector enclosed(const PlainVector& v) {
   return {Interval(v[0]), Interval(v[1]), Interval(v[2])};
 }
@@ -406,9 +404,8 @@ class FacePairProof {
   }
   const DmsPoint& apex(std::size_t face, const std::array<std::uint32_t, 2>& edge) const {
     const auto v = complex_.vertices(boundary()[face]);
-    return place(*std::find_if(v.begin(), v.end(), [&](std::uint32_t x) {
-      return x != edge[0] && x != edge[1];
-    }));
+    return place(*std::find_if(v.begin(), v.end(),
+                               [&](std::uint32_t x) { return x != edge[0] && x != edge[1]; }));
   }
   // Where the image of the apex is about nearest to that of the edge, in eighths.
   double foot(std::size_t face, const std::array<std::uint32_t, 2>& edge) const {
@@ -450,8 +447,8 @@ class FacePairProof {
     }
     DmsRegion region(knots_, points, planes);
     if (!is_inside(region)) return false;
-    const auto matrix = find_monotone_matrix(derivatives_of(region.supports()),
-                                             knots_.corners(tetrahedra[0]));
+    const auto matrix =
+        find_monotone_matrix(derivatives_of(region.supports()), knots_.corners(tetrahedra[0]));
     if (!matrix) return false;
     for (const std::uint32_t t : tetrahedra) blocks_of_[t].push_back(out_.blocks.size());
     out_.blocks.push_back({std::move(tetrahedra), *matrix});

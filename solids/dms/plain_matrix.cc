@@ -13,7 +13,9 @@ PlainMatrix multiplied(const PlainMatrix& a, const PlainMatrix& b) {
       for (std::size_t k = 0; k < 3; ++k) out[3 * i + j] += a[3 * i + k] * b[3 * k + j];
   return out;
 }
-PlainMatrix transposed(const PlainMatrix& m) { return {m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]}; }
+PlainMatrix transposed(const PlainMatrix& m) {
+  return {m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]};
+}
 double determinant_of(const PlainMatrix& m) {
   return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
          m[2] * (m[3] * m[7] - m[4] * m[6]);
@@ -30,8 +32,8 @@ std::optional<PlainMatrix> inverse_of(const PlainMatrix& m) {
     return (m[i] * m[j] - m[k] * m[l]) / d;
   };
   return PlainMatrix{minor(4, 8, 5, 7), minor(2, 7, 1, 8), minor(1, 5, 2, 4),
-               minor(5, 6, 3, 8), minor(0, 8, 2, 6), minor(2, 3, 0, 5),
-               minor(3, 7, 4, 6), minor(1, 6, 0, 7), minor(0, 4, 1, 3)};
+                     minor(5, 6, 3, 8), minor(0, 8, 2, 6), minor(2, 3, 0, 5),
+                     minor(3, 7, 4, 6), minor(1, 6, 0, 7), minor(0, 4, 1, 3)};
 }
 PlainMatrix from_regular(const PlainMatrix& edges) {
   // The inverse of the edges (1, 0, 0), (1/2, sqrt(3)/2, 0), (1/2, sqrt(3)/6, sqrt(2/3)), columns of a matrix.

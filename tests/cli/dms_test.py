@@ -300,7 +300,7 @@ class Dms(Folder):
         valid, bad = document["files"]
         self.assertEqual(list(valid), schema.keys_of("dms_file"))
         self.assertEqual((valid["verdict"], valid["shells"], valid["defects"], valid["reasons"]), ("VALID", [{"genus": 0}], [], []))
-        self.assertEqual(valid["counts"], {"tetrahedra": 1, "control_points": 10, "degree": 2, "leaves": 1, "patches": 4, "bodies": 1,
+        self.assertEqual(valid["counts"], {"tetrahedra": 1, "control_points": 10, "degree": 2, "leaves": 1, "patches": 4, "faces": None, "bodies": 1,
                                            "defects": 0})
         self.assertTrue(valid["volume"]["lo"] <= 1 / 6 <= valid["volume"]["hi"], valid["volume"])
         self.assertEqual((bad["verdict"], bad["shells"], bad["volume"], bad["reasons"]), ("INVALID", [], None, []))
@@ -310,6 +310,16 @@ class Dms(Folder):
         point = self.evaluate(folded, [" ".join(defect["parameter"])], "--exact", "--gradient")["points"][0]
         (a, b, c), (d, e, f), (g, h, i) = ([F(x) for x in row] for row in point["gradient"][:3])
         self.assertEqual(a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g), F(defect["value"]))
+
+    def test_certify_proves_a_creased_surface_by_pairs_of_faces(self):
+        done = run("certify", MODELS / "dms" / "outward_clouds.vdms", "--json", self.folder / "r.json")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("1 body, genus 0 (checked)", done.stdout)
+        self.assertIn("  proof        6 leaves, pairs of 12 faces of the surface", done.stdout)
+        document = json.loads((self.folder / "r.json").read_text())
+        self.assertEqual(schema.faults(document), [])
+        found = document["files"][0]
+        self.assertEqual((found["counts"]["faces"], found["counts"]["patches"], found["volume"]), (12, None, None))
 
     def test_a_narrow_fold_where_clouds_reach_outward_is_found_by_samples(self):
         done = run("certify", MODELS / "dms" / "narrow_fold.vdms")

@@ -1,5 +1,5 @@
 # Lying provers against both checkers, with fixed seeds; ./dev soak attacks, reading, patch_attacks,
-# vmodel_attacks, vmodel_invalid_attacks, dms_attacks, dms_invalid_attacks, micro_attacks and micro_inside_attacks run
+# vmodel_attacks, vmodel_invalid_attacks, dms_attacks, dms_pairs_attacks, dms_invalid_attacks, micro_attacks and micro_inside_attacks run
 # more.
 set(label_of_mutation standard)
 set(label_of_patch_mutation full)
@@ -7,9 +7,10 @@ set(label_of_vmodel_mutation standard)
 set(label_of_vmodel_invalid_mutation standard)
 set(label_of_micro_mutation standard)
 set(label_of_dms_mutation standard)
+set(label_of_dms_pairs_mutation standard)
 set(label_of_dms_invalid_mutation standard)
 foreach(name IN ITEMS mutation patch_mutation vmodel_mutation vmodel_invalid_mutation micro_mutation dms_mutation
-        dms_invalid_mutation)
+        dms_pairs_mutation dms_invalid_mutation)
   add_test(NAME ${name} COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/mutation/${name}_test.py")
   veritope_tier(${label_of_${name}} ${name})
   set_tests_properties(${name} PROPERTIES ENVIRONMENT

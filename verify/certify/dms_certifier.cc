@@ -354,8 +354,8 @@ class DmsCertification {
   // Whether the boundary has one shell, on which blocks and pairs of faces prove the map to be one to one.
   bool surface_by_pairs() {
     if (domain_.genera.size() != 1) return false;
-    auto proved = prove_face_pairs(model_, complex_, trees_,
-                                   {std::max(1u, options_.jobs), options_.work});
+    auto proved =
+        prove_face_pairs(model_, complex_, trees_, {std::max(1u, options_.jobs), options_.work});
     const auto* const found = std::get_if<DmsFacePairs>(&proved);
     if (found == nullptr) return false;
     certificate::DmsPairsBody& body = pairs_.emplace();
@@ -430,7 +430,7 @@ class DmsCertification {
   std::vector<DmsLeafTree> trees_;
   certificate::DmsBody body_;
   std::optional<certificate::DmsPairsBody> pairs_;  // if the surface is proved by them
-  std::map<DmsPoint, std::uint64_t> numbers_;  // of points of tiles
+  std::map<DmsPoint, std::uint64_t> numbers_;       // of points of tiles
 };
 
 }  // namespace

@@ -55,7 +55,8 @@ Bytes encode(const Subject& subject, const DmsQuantities& q, const DmsBody& body
 std::optional<DmsBody> internal::read_dms_body(ByteReader r) {
   DmsBody out;
   r.raw(kDmsMagic.size());
-  const std::size_t trees = r.count(internal::kLeastBytesOfTree), faces = r.count(kLeastBytesOfFace);
+  const std::size_t trees = r.count(internal::kLeastBytesOfTree),
+                    faces = r.count(kLeastBytesOfFace);
   out.points.resize(r.count(kLeastBytesOfPoint));
   for (auto& point : out.points)
     for (Fraction& x : point) x = read_fraction(r);

@@ -62,8 +62,8 @@ struct DmsPairProof {
 
   std::uint64_t first = 0, second = 0;
   Kind kind = Kind::kApart;
-  std::vector<std::uint64_t> chain, tetrahedra;  ///< kChain: vertices; of the edges between them
-  std::array<Fraction, 2> feet;                  ///< kAtEdge
+  std::vector<std::uint64_t> chain, tetrahedra;     ///< kChain: vertices; of the edges between them
+  std::array<Fraction, 2> feet;                     ///< kAtEdge
   std::vector<std::array<Fraction, 3>> directions;  ///< two if kAtEdge, or else one
 };
 /// Of version 2.

@@ -108,16 +108,18 @@ std::string explain(const DmsPairsBody& body, std::string_view claim, std::size_
     for (const std::uint64_t t : body.blocks[i].tetrahedra) text += " " + std::to_string(t);
     text += " by the matrix (";
     for (std::size_t c = 0; c < 9; ++c)
-      text += (c == 0 ? "" : c % 3 == 0 ? "; " : ", ") +
+      text += (c == 0       ? ""
+               : c % 3 == 0 ? "; "
+                            : ", ") +
               internal::short_text(body.blocks[i].matrix[c]);
     return text + ")";
   });
   internal::append_list(out, "pairs of faces", body.pairs.size(), max_items, [&](std::size_t i) {
     const DmsPairProof& pair = body.pairs[i];
     std::string text = std::to_string(pair.first) + " and " + std::to_string(pair.second);
-    text += pair.kind == Kind::kApart    ? ": apart across"
+    text += pair.kind == Kind::kApart   ? ": apart across"
             : pair.kind == Kind::kChain ? ": by a chain through"
-                                         : ": at an edge along";
+                                        : ": at an edge along";
     for (const std::uint64_t v : pair.chain) text += " " + std::to_string(v);
     if (pair.kind == Kind::kChain) text += " along";
     for (const auto& direction : pair.directions) {

@@ -5,6 +5,7 @@
 namespace {
 
 const int kMostDmsLevels = 64;
+const uint64_t kMostOfBlock = 16, kMostPlanesOfBlock = 64;
 const int64_t kMostFileBits = 256, kMostWordBits = 64;
 
 struct DmsProofBytes : DmsBytes {
@@ -55,11 +56,18 @@ struct DmsProofBytes : DmsBytes {
   }
   DmsBlock block(uint64_t all) {
     DmsBlock r;
-    for (uint64_t n = number_of(1); n > 0; --n)
-      r.tetrahedra.push_back(number_below(all, "there is no tetrahedron"));
+    for (uint64_t n = at_most(number_of(1), kMostOfBlock, "tetrahedra of a block are"); n > 0;
+         --n) {
+      const uint64_t t = number_below(all, "there is no tetrahedron");
+      require(r.tetrahedra.empty() || r.tetrahedra.back() < t, "B1",
+              "tetrahedra of a block are not in ascending order, at", t);
+      r.tetrahedra.push_back(t);
+    }
     require(!r.tetrahedra.empty(), "B1", "a block is empty");
     r.r = rationals(9);
     r.planes = planes();
+    require(r.planes.size() <= 4 * kMostPlanesOfBlock, "B1", "planes of a block are",
+            r.planes.size() / 4);
     return r;
   }
   DmsPair pair(uint64_t faces, const DmsFile& file) {
@@ -193,9 +201,9 @@ DmsBody read_dms_body_2(const DmsFile& file, const Body& body) {
     r.pairs.push_back(b.pair(r.faces, file));
     if (r.pairs.size() < 2) continue;
     const DmsPair &last = r.pairs.back(), &before = r.pairs[r.pairs.size() - 2];
-    require(std::make_pair(before.face[0], before.face[1]) <
-                std::make_pair(last.face[0], last.face[1]),
-            "B1", "pairs are not in ascending order, at pair", r.pairs.size() - 1);
+    require(
+        std::make_pair(before.face[0], before.face[1]) < std::make_pair(last.face[0], last.face[1]),
+        "B1", "pairs are not in ascending order, at pair", r.pairs.size() - 1);
   }
   r.domain = b.part();
   b.end();

@@ -39,10 +39,12 @@ void DmsBoxes::split(size_t at) {
     if (b.hi[k] - b.lo[k] > b.hi[axis] - b.lo[axis]) axis = k;
   const uint32_t middle = first + (last - first) / 2;
   const auto begin = order.begin();
-  std::nth_element(begin + first, begin + middle, begin + last, [&](uint32_t a, uint32_t c) {
-    return boxes[a].lo[axis] / 2 + boxes[a].hi[axis] / 2 <
-           boxes[c].lo[axis] / 2 + boxes[c].hi[axis] / 2;
-  });
+  const auto key = [&](uint32_t i) {  // an infinite box has its middle at 0
+    const double lo = std::max(boxes[i].lo[axis], -1e308), hi = std::min(boxes[i].hi[axis], 1e308);
+    return lo / 2 + hi / 2;
+  };
+  std::nth_element(begin + first, begin + middle, begin + last,
+                   [&](uint32_t a, uint32_t c) { return key(a) < key(c); });
   nodes[at].child = uint32_t(nodes.size());
   nodes.push_back(Node{DmsBox(), first, middle, 0});
   nodes.push_back(Node{DmsBox(), middle, last, 0});

@@ -5,7 +5,6 @@
 
 namespace {
 
-const size_t kKeptMatrices = 1 << 15;
 const int kDmsEdge[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
 typedef std::array<DmsPoint, 4> Corners;
@@ -20,28 +19,15 @@ DmsPoint point_between(const DmsPoint& a, const DmsPoint& b, const Ratio& t) {
 }
 
 struct DmsJacobian {
-  DmsJacobian(const DmsModel& m, const DmsNear& n, Units* u) : model(m), near(n), units(u) {}
+  DmsJacobian(const DmsModel& m, const DmsNear& n, Units* u)
+      : model(m), near(n), units(u), matrices(m) {}
 
   const DmsModel& model;
   const DmsNear& near;
   Units* units;
-  std::unordered_map<uint64_t, std::vector<Big>> matrices;  // G, times a positive number
+  DmsMatrices matrices;
   std::unique_ptr<DmsPolynomials> polynomials;
   uint64_t leaf_number = 0;
-
-  const std::vector<Big>& matrix(const DmsTerm& term) {
-    const uint64_t key = uint64_t(term.tetrahedron) * 64 + dms_place(term.gamma, model.file.n - 1);
-    const auto found = matrices.find(key);
-    if (found != matrices.end()) return found->second;
-    if (matrices.size() >= kKeptMatrices) matrices.clear();
-    const DmsPoint* w[4];
-    const Ratio* c[4];
-    for (size_t m = 0; m < 4; ++m) {
-      w[m] = &model.points[model.knot(term.tetrahedron, m, term.gamma[m])];
-      c[m] = model.file.value(term.tetrahedron, dms_raised(term.gamma, m));
-    }
-    return matrices[key] = dms_linear_part(w, c);
-  }
 
   void check_tree(size_t t, const DmsTree& tree) {
     Corners root;
@@ -79,7 +65,7 @@ struct DmsJacobian {
       check_polynomial(corners, r, terms);
     } else {
       for (const DmsTerm& term : terms)
-        require(dms_is_positive(r, matrix(term)), "J1", "R G is not positive, in leaf",
+        require(dms_is_positive(r, matrices.of(term)), "J1", "R G is not positive, in leaf",
                 leaf_number);
     }
     ++leaf_number;

@@ -75,3 +75,21 @@ void DmsNear::each_cut(const std::vector<DmsTerm>& terms, Units* units,
         }
   }
 }
+
+void dms_corners(const DmsModel& model, const DmsTerm& term, const DmsPoint** w, const Ratio** c) {
+  for (size_t m = 0; m < 4; ++m) {
+    w[m] = &model.points[model.knot(term.tetrahedron, m, term.gamma[m])];
+    c[m] = model.file.value(term.tetrahedron, dms_raised(term.gamma, m));
+  }
+}
+const std::vector<Big>& DmsMatrices::of(const DmsTerm& term) {
+  const size_t kMost = 1 << 15;
+  const uint64_t key = uint64_t(term.tetrahedron) * 64 + dms_place(term.gamma, model.file.n - 1);
+  const auto found = known.find(key);
+  if (found != known.end()) return found->second;
+  if (known.size() >= kMost) known.clear();
+  const DmsPoint* w[4];
+  const Ratio* c[4];
+  dms_corners(model, term, w, c);
+  return known[key] = dms_linear_part(w, c);
+}

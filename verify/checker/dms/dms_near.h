@@ -31,3 +31,15 @@ struct DmsNear {
   std::vector<DmsBox> boxes;  // of the knots of tetrahedra
   std::unique_ptr<DmsBoxes> tree;
 };
+
+// G_gamma of a term, row by row, times a positive number; kept.
+struct DmsMatrices {
+  explicit DmsMatrices(const DmsModel& m) : model(m) {}
+  const std::vector<Big>& of(const DmsTerm& term);
+
+ private:
+  const DmsModel& model;
+  std::unordered_map<uint64_t, std::vector<Big>> known;
+};
+// W_gamma and the x, y, z of the control points c(I, gamma + e_m).
+void dms_corners(const DmsModel& model, const DmsTerm& term, const DmsPoint** w, const Ratio** c);

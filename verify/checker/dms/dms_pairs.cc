@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // dms_pairs.cc: U1 to U6 of docs/certificates/dms-solid-2.md.
-#include <map>
-
 #include "dms_pieces.h"
+#include "dms_reach.h"
 
 namespace {
 
-typedef std::vector<Big> DmsVector;  // three numbers
-
-Big dms_product(const DmsVector& v, const Big* x) {
-  return v[0] * x[0] + v[1] * x[1] + v[2] * x[2];
-}
 // b - a, times a positive number.
 DmsVector dms_way(const DmsPoint& a, const DmsPoint& b) {
   DmsVector r;
@@ -26,100 +20,16 @@ DmsVector dms_direction(const std::vector<Ratio>& all, size_t number) {
   return dms_integers(std::vector<Ratio>(first, first + 3), nullptr);
 }
 
-// The V_gamma that are not excluded from a tetrahedron or a block, with their G.
-struct DmsReach {
-  std::vector<DmsTerm> terms;
-  std::vector<std::vector<Big>> matrices;  // times positive numbers
-
-  // Whether all G, along this vector, grow in the direction w.
-  bool grows(const DmsVector& w, const DmsVector& along, Units* units) const {
-    for (const std::vector<Big>& g : matrices) {
-      units->add(1);
-      Big x;
-      for (size_t k = 0; k < 3; ++k)
-        x = x + (w[0] * g[k] + w[1] * g[3 + k] + w[2] * g[6 + k]) * along[k];
-      if (x.sign() <= 0) return false;
-    }
-    return true;
-  }
-};
-struct DmsFaceValues {  // L_gamma at the three corners, term after term
-  std::vector<DmsPoint> values;
-  DmsBox box;
-};
-
 struct DmsPairs {
   const DmsModel& model;
   const DmsBody& body;
   Units* units;
-  const DmsNear near;
-  std::map<size_t, DmsReach> tetrahedra;
+  DmsReach reach;
   std::vector<DmsFaceValues> faces;
   std::map<size_t, std::vector<size_t>> blocks_of;  // a tetrahedron
 
-  DmsPairs(const DmsModel& m, const DmsBody& b, Units* u) : model(m), body(b), units(u), near(m) {}
-
-  const DmsPoint* const* corners_of(const DmsTerm& term, const DmsPoint** w, const Ratio** c) const {
-    for (size_t m = 0; m < 4; ++m) {
-      w[m] = &model.points[model.knot(term.tetrahedron, m, term.gamma[m])];
-      c[m] = model.file.value(term.tetrahedron, dms_raised(term.gamma, m));
-    }
-    return w;
-  }
-  DmsReach reach_of(const std::vector<const DmsPoint*>& corners, DmsSides* sides) const {
-    DmsReach r;
-    r.terms = near.not_excluded(DmsBox(corners), sides, units);
-    for (const DmsTerm& term : r.terms) {
-      const DmsPoint* w[4];
-      const Ratio* c[4];
-      r.matrices.push_back(dms_linear_part(corners_of(term, w, c), c));
-    }
-    return r;
-  }
-  const DmsReach& reach(size_t t) {
-    const auto found = tetrahedra.find(t);
-    if (found != tetrahedra.end()) return found->second;
-    std::vector<const DmsPoint*> corners;
-    for (size_t c = 0; c < 4; ++c) corners.push_back(&model.corner(t, c));
-    DmsSides sides = dms_sides_of_leaf(corners, {}, {});
-    return tetrahedra[t] = reach_of(corners, &sides);
-  }
-  DmsFaceValues values_of(const DmsFace& face) {
-    DmsFaceValues r;
-    for (const DmsTerm& term : reach(face.tetrahedron).terms) {
-      const DmsPoint* w[4];
-      const Ratio* c[4];
-      add_values(corners_of(term, w, c), c, face, &r);
-    }
-    return r;
-  }
-  // lambda_m(q|w) is, with homogeneous points, d with q in the place of the m-th times its denominator, divided by d of
-  // all and the denominator of q.
-  void add_values(const DmsPoint* const* w, const Ratio* const* c, const DmsFace& face,
-                  DmsFaceValues* r) const {
-    std::vector<Ratio> numbers;
-    for (size_t m = 0; m < 4; ++m) numbers.insert(numbers.end(), c[m], c[m] + 3);
-    Big factor;
-    const std::vector<Big> images = dms_integers(numbers, &factor);
-    DmsPlane opposite[4];
-    for (size_t m = 0; m < 4; ++m)
-      opposite[m] = DmsPlane::of(*w[m == 0 ? 1 : 0], *w[m < 2 ? 2 : 1], *w[m < 3 ? 3 : 2]);
-    const Big all = opposite[3].value(*w[3]);
-    for (uint32_t vertex : face.vertex) {
-      const DmsPoint& q = model.place(vertex);
-      Big x[4];
-      for (size_t m = 0; m < 4; ++m) {
-        const Big d = opposite[m].value(q) * w[m]->x[3];
-        for (size_t k = 0; k < 3; ++k) {
-          const Big part = d * images[3 * m + k];
-          x[k] = m % 2 == 1 ? x[k] + part : x[k] - part;
-        }
-      }
-      x[3] = all * q.x[3] * factor;
-      r->values.push_back(DmsPoint::of(x));
-      r->box.add(r->values.back());
-    }
-  }
+  DmsPairs(const DmsModel& m, const DmsBody& b, Units* u)
+      : model(m), body(b), units(u), reach(m, u) {}
 
   // U1, U2
   void check_block(size_t number) {
@@ -151,8 +61,9 @@ struct DmsPairs {
     }
     units->id = "U2";
     const std::vector<Big> r = dms_integers(block.r, nullptr);
-    for (const std::vector<Big>& g : reach_of(corners, &sides).matrices)
-      require(dms_is_positive(r, g), "U2", "R G is not positive, in block", number);
+    for (const DmsTerm& term : reach.near.not_excluded(DmsBox(corners), &sides, units))
+      require(dms_is_positive(r, reach.matrices.of(term)), "U2", "R G is not positive, in block",
+              number);
   }
   std::unique_ptr<DmsBoxes> face_boxes;
   std::vector<DmsBox> boxes_of_faces;
@@ -198,7 +109,7 @@ struct DmsPairs {
     }
   }
   void must_grow(size_t t, const DmsVector& w, const DmsVector& along, size_t face) {
-    require(reach(t).grows(w, along, units), units->id, "a direction is not that of growth, of face",
+    require(reach.grows(t, w, along), units->id, "a direction is not that of growth, of face",
             face);
   }
   bool has_vertex(size_t tetrahedron, uint64_t vertex) const {
@@ -224,9 +135,10 @@ struct DmsPairs {
       const size_t t = size_t(pair.tetrahedra[k]);
       require(has_vertex(t, pair.chain[k]) && has_vertex(t, pair.chain[k + 1]), "U5",
               "an edge of a chain is not in tetrahedron", t);
-      must_grow(t, w,
-                dms_way(model.place(uint32_t(pair.chain[k])), model.place(uint32_t(pair.chain[k + 1]))),
-                i);
+      must_grow(
+          t, w,
+          dms_way(model.place(uint32_t(pair.chain[k])), model.place(uint32_t(pair.chain[k + 1]))),
+          i);
     }
   }
   // The third corner less the foot t on the edge from the first to the second one, times a positive number.
@@ -290,9 +202,10 @@ struct DmsPairs {
   }
 
   void check_pairs() {
+    units->id = "U6";
     std::vector<DmsBox> boxes;
     for (const DmsFace& face : model.faces) {
-      faces.push_back(values_of(face));
+      faces.push_back(reach.values(face));
       boxes.push_back(faces.back().box);
     }
     const DmsBoxes tree(boxes);

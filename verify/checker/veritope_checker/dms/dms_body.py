@@ -26,7 +26,7 @@ class Tile:
             raise Reject("B1", "a tile has a point that does not exist")
         self.planes = read_planes(body)
 
-class AnyCertificate:
+class SolidCertificate:
     """What the certificates of all versions have. trees: of each tetrahedron, in preorder, a Leaf or (edge, t); planes:
     of each face of the boundary; domain: bytes."""
 
@@ -54,7 +54,7 @@ class AnyCertificate:
         yield from (node.planes for node in self.nodes() if type(node) is Leaf)
         yield from self.planes
 
-class Certificate(AnyCertificate):
+class Certificate(SolidCertificate):
     """points: added ones; tiles: of each face of the boundary; surface: bytes."""
 
     def __init__(self, data, model):

@@ -87,9 +87,8 @@ class Map:
             rows = self.derivative(t, gamma)
             origin, value = self.w_of(t, gamma)[0], self.values_about(t, gamma)[0]
             offset = [c - dot(row, origin) for row, c in zip(rows, value)]
-            denominator = lcm(*[c.denominator for row in (*rows, offset) for c in row])
-            self.affine_maps[t, gamma] = ([[int(c * denominator) for c in row] for row in rows],
-                                          [int(c * denominator) for c in offset], denominator)
+            *rows, offset, (denominator,) = integer_rows([*rows, offset, [1]])
+            self.affine_maps[t, gamma] = rows, offset, denominator
         return self.affine_maps[t, gamma]
 
     def at(self, point, near):
@@ -208,6 +207,11 @@ def linear_part(points, values):
     gradients = [[Fraction(x, d) for x in v] for v in (cross(b, c), cross(c, a), cross(a, b))]
     steps = [sub(v, values[0]) for v in values[1:]]
     return [[sum(step[i] * g[j] for step, g in zip(steps, gradients)) for j in range(3)] for i in range(3)]
+
+def integer_rows(rows):
+    """Rows of numbers times a common factor > 0 that makes them integers, the least one."""
+    factor = lcm(*[c.denominator for row in rows for c in row])
+    return [[int(c * factor) for c in row] for row in rows]
 
 class Interpolation:
     """The Bernstein coefficients of a polynomial of degree n on a simplex with `corners` corners from its values at the

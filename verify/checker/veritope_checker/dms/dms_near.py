@@ -12,6 +12,13 @@ def leaf_region(spline, corners, root, planes):
     """A tetrahedron in another one. planes: of its list."""
     return Region(corners, [*face_planes(corners), *face_planes(root), *scaled_planes(spline, planes)])
 
+def block_region(spline, tetrahedra, planes):
+    """The convex hull of some tetrahedra. planes: of its list."""
+    tetrahedra = set(tetrahedra)
+    corners = [spline.knots[v][0] for v in {v for t in tetrahedra for v in spline.model.tetrahedra[t]}]
+    own = {plane for t in tetrahedra for plane in face_planes(spline.corners(t))}
+    return Region(corners, [*own, *scaled_planes(spline, planes)])
+
 def tile_region(spline, corners, planes):
     return Region(corners, [*upright_planes(corners), *scaled_planes(spline, planes)])
 

@@ -59,8 +59,13 @@ def normal_of(corners):
 
 def side_of(corners, vector, number):
     """1 or -1 if the corners are on one closed side of the plane, not all in it; otherwise 0."""
-    signs = {(v > number) - (v < number) for v in (dot(vector, corner) for corner in corners)}
-    return 0 if {1, -1} <= signs or signs == {0} else sum(signs)
+    side = 0
+    for corner in corners:
+        height = dot(vector, corner) - number
+        if height * side < 0:
+            return 0
+        side = side or (height > 0) - (height < 0)
+    return side
 
 def face_planes(corners):
     """Those of the faces of a tetrahedron."""

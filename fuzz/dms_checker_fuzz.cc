@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // fuzz/dms_checker_fuzz.cc: gives any simplex-spline solid and any certificate of dms-solid-1, dms-solid-2 or
-// dms-invalid-1 to the C++ checker, which must not crash or hang, and must not accept two claims about one file with different shells,
-// bodies or genus, or a defect that contradicts them. What it accepts can be explained, and encoded again, if the
-// claim is one of those that the library knows. An input is the size of the file (4 bytes, little-endian), the file,
-// the certificate. The mutator changes digits of the file, numbers of the statement and the body, and then corrects
-// sizes and hashes.
+// dms-invalid-1 to the C++ checker, which must not crash or hang, and must not accept two claims about one file with
+// different shells, bodies or genus, or a defect that contradicts them. What it accepts can be explained, and encoded
+// again, if the claim is one of those that the library knows. An input is the size of the file (4 bytes,
+// little-endian), the file, the certificate. The mutator changes digits of the file, numbers of the statement and the
+// body, and then corrects sizes and hashes.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

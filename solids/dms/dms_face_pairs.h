@@ -55,7 +55,7 @@ struct DmsFacePairOptions {
   WorkShare* work = nullptr;  ///< what is done of a step, if it is not null
 };
 
-/// REQUIRES the complex of the model, and a model without defects (solids/dms/dms_defects.h); `trees` of prove_jacobian.
+/// REQUIRES the complex of the model, a model without defects (solids/dms/dms_defects.h), and trees of prove_jacobian.
 /// @cost  for each pair of faces that are near each other, the V_γ that reach into their tetrahedra
 std::variant<DmsFacePairs, DmsOpenPair> prove_face_pairs(const DmsModel& model,
                                                          const TetrahedralComplex& complex,

@@ -11,9 +11,9 @@ using PlainVector = std::array<double, 3>;
 
 double dot_product(const PlainVector& a, const PlainVector& b);
 
-/// About the point nearest to the origin of the convex hull of some vectors, of which least(w) is one with the least
-/// product with w. If the hull misses the origin, the point has positive products with all of them, and of all
-/// directions of its length it has the greatest least one. Nothing if the hull seems to contain the origin.
+/// Seeks the point nearest to the origin of the convex hull of some vectors, of which least(w) is one with the least
+/// product with w. Where the hull misses the origin, that point has positive products with all vectors, and the least
+/// one is greater than for all other directions. What is found is near it; nothing if the origin seems to be inside.
 /// @cost  some ten calls of least()
 /// Source: E. G. Gilbert, D. W. Johnson, S. S. Keerthi, A fast procedure for computing the distance between complex
 /// objects in three-dimensional space, IEEE J. Robotics and Automation 4 (1988), 193-203

@@ -195,6 +195,8 @@ class Pairs(Case):
         def chain(p):
             return self.pair(p, files.CHAIN)
         lies = (lambda p: p.body.blocks.append([[], ONE, []]), lambda p: p.body.blocks.append([[6], ONE, []]),
+                lambda p: p.body.blocks.append([[0, 0], ONE, []]), lambda p: p.body.blocks.append([[2, 1], ONE, []]),
+                lambda p: p.body.blocks.append([[0], ONE, [[Q(1), Q(0), Q(0), Q(9)]] * 65]),
                 lambda p: chain(p).chain.__setitem__(0, 8), lambda p: p.body.pairs.reverse(),
                 lambda p: p.body.pairs.append(p.body.pairs[-1]), lambda p: chain(p).faces.reverse(),
                 lambda p: p.body.pairs[-1].faces.__setitem__(1, 12), lambda p: setattr(p.body.pairs[0], "kind", 3),
@@ -205,6 +207,13 @@ class Pairs(Case):
             lie(proof)
             code, line = judges.both(proof.data, proof.certificate())
             self.assertEqual((code, judges.condition(line)), (1, "B1"), (number, line))
+
+    def test_blocks_of_many_tetrahedra(self):
+        proof = self.proof(eight_cubes())
+        proof.body.blocks.append([list(range(16)), ONE, [[Q(1), Q(0), Q(0), Q(9)]] * 64])
+        self.judged("ACCEPT", proof)
+        proof.body.blocks[-1][0].append(16)
+        self.judged("B1", proof)
 
     def test_long_numbers(self):
         honest = self.proof(cube())

@@ -335,6 +335,12 @@ def of_cells(*cells):
     return [6 * cell + t for cell in cells for t in range(6)]
 
 
+def of_neighbours(cells):
+    """Blocks of any two cells that have a common face."""
+    both = itertools.combinations(enumerate(cells), 2)
+    return [(of_cells(i, j), UNIT) for (i, a), (j, b) in both if sum(abs(x - y) for x, y in zip(a, b)) == 1]
+
+
 # What a lying prover says of faces whose images meet.
 
 def misdirected(m, i, j):
@@ -356,10 +362,14 @@ LIES = {"U6_left_out": None, "U6_direction": misdirected, "U5_around": chained, 
 
 
 def lied(proof, lie):
-    """With something about the pairs that are missing."""
+    """With something about the pairs that are missing; in blocks, more than these may be wrong."""
     assert proof.missing
     proof = copy.deepcopy(proof)
-    if LIES[lie]:
+    if lie == "in_blocks":
+        m, matrices = read(proof.data), [tree[0][2] for tree in proof.body.trees]
+        two = sorted({tuple(sorted(m.faces[f][1] for f in pair)) for pair in proof.missing})
+        proof.body.blocks += [[list(t), matrices[t[0]], []] for t in two if t[0] != t[1]]
+    elif LIES[lie]:
         proof.body.pairs += [LIES[lie](read(proof.data), *faces) for faces in proof.missing]
         proof.body.pairs.sort(key=lambda pair: pair.faces)
     return proof
@@ -393,30 +403,20 @@ def coil(degree, cells, pitch):
 
 
 @functools.lru_cache(None)
-def coiled(degree, cells, pitch, one_block=False):
-    """Blocks are two cells, or all."""
+def coiled(degree, cells, pitch):
+    """Blocks are two cells."""
     blocks = [(of_cells(k - 1, k), turn(k, k)) for k in range(1, cells)]
-    if one_block:
-        blocks = [(of_cells(*range(cells)), turn(cells // 2, cells // 2))]
     return forged(coil(degree, cells, pitch), lambda t: turn(t // 6, t // 6 + 1), blocks, cells)
 
 
-def bow(degree, gap, height, lean):
+@functools.lru_cache(None)
+def bowed(degree, gap, height, lean):
     """Two arms on a base, `gap` cells between them, that lean to each other by `lean` with each cell."""
     wide = gap + 2
-    points, tetrahedra = grid_domain((wide, 1, height + 1), lambda cell: cell[2] == 0 or cell[0] in (0, wide - 1))
+    cells = [c for c in itertools.product(range(wide), (0,), range(height + 1)) if c[2] == 0 or c[0] in (0, wide - 1)]
+    points, tetrahedra = grid_domain((wide, 1, height + 1), lambda cell: cell in cells)
     images = [[x + max(z - 1, 0) * (lean if x < Q(wide, 2) else -lean), y, z] for x, y, z in points]
-    return degree, points, tetrahedra, images
-
-
-@functools.lru_cache(None)
-def bowed(degree, gap, height, lean, one_block=False):
-    """Blocks are the base and two columns, or all."""
-    shape, first = bow(degree, gap, height, lean), 6 * (height + 1)
-    count = len(shape[2])
-    low = [t for t, four in enumerate(shape[2]) if all(shape[1][v][2] <= 1 for v in four)]
-    three = [(range(first), UNIT), (range(count - first, count), UNIT), (low, UNIT)]
-    return forged(shape, lambda t: UNIT, [(range(count), UNIT)] if one_block else three, height)
+    return forged((degree, points, tetrahedra, images), lambda t: UNIT, of_neighbours(cells), height)
 
 
 @functools.lru_cache(64)
@@ -431,12 +431,10 @@ def two_bodies(degree, scale, place):
 
 @functools.lru_cache(None)
 def with_void():
-    """A cube of 26 cells around a void; blocks are the six slabs."""
-    hole = (1, 1, 1)
-    points, tetrahedra = grid_domain((3, 3, 3), lambda cell: cell != hole)
-    cells = [c for c in itertools.product(range(3), repeat=3) if c != hole]
-    slabs = [of_cells(*(k for k, c in enumerate(cells) if c[axis] == end)) for axis in range(3) for end in (0, 2)]
-    return forged((1, points, tetrahedra, points), lambda t: UNIT, [(slab, UNIT) for slab in slabs])
+    """A cube of 26 cells around a void."""
+    cells = [c for c in itertools.product(range(3), repeat=3) if c != (1, 1, 1)]
+    points, tetrahedra = grid_domain((3, 3, 3), lambda cell: cell in cells)
+    return forged((1, points, tetrahedra, points), lambda t: UNIT, of_neighbours(cells))
 
 
 @functools.lru_cache(None)
@@ -475,36 +473,29 @@ def placed(rng, proof):
     return proof
 
 
+def meeting(rng):
+    """A coil that runs into itself, or lies on itself; arms that lean into each other, or touch. Some pairs are not proved."""
+    if rng.random() < .5:
+        return "coil", coiled(1, rng.choice((13, 14)), rng.choice((Q(0), TOUCH, TOUCH - NEAR, Q(1, 20))))
+    # They touch if height * lean = gap / 2.
+    gap, height = rng.choice(((1, 2), (1, 1), (2, 2)))
+    lean = Q(gap, 2 * height) + rng.choice((Q(0), NEAR, Q(1, 8)))
+    return "arms", bowed(rng.choice((1, 1, 2)), gap, height, lean)
+
+
 def meeting_images(rng):
-    """A coil that runs into itself, or lies on itself; arms that lean into each other, or touch. All else is true."""
-    lie, degree = rng.choice(list(LIES)), rng.choice((1, 1, 2))
-    if rng.random() < .5:
-        pitch = rng.choice((Q(0), TOUCH, TOUCH - NEAR, Q(1, 20)))
-        proof = coiled(1, rng.choice((13, 14)), pitch)
-    else:
-        # They touch if height * lean = gap / 2.
-        gap, height = rng.choice(((1, 2), (1, 1), (2, 2)))
-        lean = Q(gap, 2 * height) + rng.choice((Q(0), NEAR, Q(1, 8)))
-        proof = bowed(degree, gap, height, lean)
-    yield lie + "_meeting", placed(rng, lied(proof, lie))
+    lie = rng.choice(list(LIES))
+    yield lie + "_meeting", placed(rng, lied(meeting(rng)[1], lie))
 
 
-def too_large_blocks(rng):
-    """U1, U2: one block is all of such a model, and no pair is needed. The domain leaves the hull of the arms; a coil turns too far."""
-    if rng.random() < .5:
-        proof = coiled(rng.choice((1, 2)), rng.choice((13, 14)), rng.choice((Q(0), TOUCH, TOUCH - NEAR)), one_block=True)
-        name = "U2_coil"
-    else:
-        gap, height = rng.choice(((1, 2), (1, 1), (2, 2)))
-        lean = Q(gap, 2 * height) + rng.choice((Q(0), NEAR, Q(1, 8)))
-        proof = bowed(rng.choice((1, 2)), gap, height, lean, one_block=True)
-        name = "U1_arms"
-    assert not proof.missing
-    proof = copy.deepcopy(proof)
-    if rng.random() < .5:
-        m = read(proof.data)
-        proof.body.blocks[0][2] = lying_planes(rng, m.corners(rng.randrange(len(m.tetrahedra))))
-    yield name, proof
+def wide_blocks(rng):
+    """U1, U2: blocks of two tetrahedra whose images meet: the domain leaves the hull between the arms; the bar in it turns too far."""
+    name, proof = meeting(rng)
+    proof = lied(proof, "in_blocks")
+    if rng.random() < .3:
+        m, blocks = read(proof.data), proof.body.blocks
+        blocks[-1][2] = lying_planes(rng, m.corners(rng.choice(blocks[-1][0])))
+    yield ("U1_arms" if name == "arms" else "U2_coil"), placed(rng, proof)
 
 
 def several_shells(rng):
@@ -522,7 +513,7 @@ def several_shells(rng):
             proof.lie = rng.choice(({"shells": 1}, {"bodies": 1}, {"shells": 1, "bodies": 1}))
         yield ("U7_nested", "U7_beside")[what - 1], proof
     else:
-        lie, proof = rng.choice(list(LIES)), two_bodies(degree, 1, tuple(overlap(rng)))
+        lie, proof = rng.choice([*LIES, "in_blocks"]), two_bodies(degree, 1, tuple(overlap(rng)))
         yield lie + "_bodies", placed(rng, lied(proof, lie))
 
 
@@ -624,7 +615,7 @@ def misled_blocks(rng):
     elif what == 1:
         block[1] = rng.choice((rng.choice(proof.body.blocks)[1], [-c for c in block[1]], [Q(0)] * 9, block[1][::-1]))
     else:
-        block[0].insert(rng.randint(0, len(block[0])), rng.randrange(len(m.tetrahedra)))
+        block[0] = sorted({*block[0], rng.randrange(len(m.tetrahedra))})
     if not any(m.is_against(t, rows(block[1])) for t in block[0]):
         return
     if rng.random() < .3:
@@ -636,7 +627,7 @@ def left_hulls(rng):
     """U1: a block of tetrahedra of both arms; a point of a face of the boundary is found inside of four of its corners."""
     proof = copy.deepcopy(bowed(rng.choice((1, 2)), *rng.choice(BOWS)))
     m = read(proof.data)
-    block = rng.sample(range(len(m.tetrahedra)), rng.randint(2, 3))
+    block = sorted(rng.sample(range(len(m.tetrahedra)), rng.randint(2, 3)))
     corners = [list(p) for p in sorted({tuple(p) for t in block for p in m.corners(t)})]
     fours = [four if determinant([sub(p, four[0]) for p in four[1:]]) > 0 else (four[1], four[0], *four[2:])
              for four in itertools.combinations(corners, 4)]
@@ -851,7 +842,7 @@ def wrong_numbers(rng):
 def wrong_bytes(rng):
     """B1: pairs in another order or twice, numbers of what there is not, empty blocks, feet beside the edge, other counts."""
     proof = any_proof(rng)
-    body, m, what = proof.body, read(proof.data), rng.randrange(14)
+    body, m, what = proof.body, read(proof.data), rng.randrange(15)
     at = rng.randrange(len(body.pairs) - 1) if len(body.pairs) > 1 else None
     if what < 8 and at is None:
         return
@@ -878,21 +869,29 @@ def wrong_bytes(rng):
             return
         those[rng.randrange(len(those))] = (len(m.clouds) if what == 6 else len(m.tetrahedra)) + rng.choice((0, 1 << 32))
     elif what == 8:
-        rng.choice(body.blocks)[0][:] = rng.choice(([], [len(m.tetrahedra)], [1 << 32]))
+        block = rng.choice([block for block in body.blocks if len(block[0]) > 1])
+        block[0] = rng.choice(([], [len(m.tetrahedra)], [1 << 32], block[0] * 2, block[0][::-1], block[0][:1] + block[0]))
     elif what == 9:
         rng.choice(body.blocks)[2].append([Q(0), Q(0), Q(0), Q(rng.randint(-1, 1))])
-    elif what == 10:
+    elif what == 10:                                      # true, but too much
+        block = rng.choice(body.blocks)
+        most = len(m.tetrahedra)
+        if most > 16 and rng.random() < .5:
+            block[0] = sorted(rng.sample(range(most), 17))
+        else:
+            block[2] = [[Q(1), Q(0), Q(0), Q(1000)]] * 65
+    elif what == 11:
         proof.lie = {"claim": "dms-solid-1"}
     else:
         raw = body.encode()
         k = 4 * rng.randint(1, 4)
         count = int.from_bytes(raw[k:k + 4], "little")
         other = rng.choice((count + 1, max(count, 1) - 1, (1 << 32) - 1)).to_bytes(4, "little")
-        proof.raw = (raw + b"\0", raw[:k] + other + raw[k + 4:], rng.choice((b"VTDM", b"VTD3")) + raw[4:])[what - 11]
-    yield "S1_claim" if what == 10 else "B1_%d" % what, proof
+        proof.raw = (raw + b"\0", raw[:k] + other + raw[k + 4:], rng.choice((b"VTDM", b"VTD3")) + raw[4:])[what - 12]
+    yield "S1_claim" if what == 11 else "B1_%d" % what, proof
 
 
-STRATEGIES = ((meeting_images, 8), (too_large_blocks, 6), (several_shells, 8), (mirrors, 4), (moved_points, 8), (near_lies, 10), (misled_leaves, 6),
+STRATEGIES = ((meeting_images, 8), (wide_blocks, 6), (several_shells, 8), (mirrors, 4), (moved_points, 8), (near_lies, 10), (misled_leaves, 6),
               (misled_blocks, 8), (left_hulls, 6), (unknown_faces, 6), (wrong_edges, 12), (wrong_chains, 14), (missing_pairs, 12),
               (parts_of_others, 3), (apart_control, 1), (wrong_numbers, 6), (wrong_bytes, 6))
 

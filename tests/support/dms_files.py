@@ -209,7 +209,7 @@ class Pair:
 
 
 class PairsBody:
-    """Of version 2. blocks: [tetrahedra, 9 numbers, planes] each; pairs: of class Pair."""
+    """A body of version 2. blocks: [tetrahedra, 9 numbers, planes] each; pairs: of class Pair."""
 
     def __init__(self, data):
         c = Cursor(data)

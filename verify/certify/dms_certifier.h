@@ -11,9 +11,9 @@ namespace veritope {
 /// What is known without a proof.
 DmsFacts dms_facts_of(const DmsModel& model);
 
-/// VALID with its certificate (dms-solid-1 or dms-solid-2); INVALID with one (dms-invalid-1) of the first finding; or UNDECIDED:
-/// "not-certified", with the condition of the page that is not proved to hold and its place; or "not-covered". Findings
-/// have the codes of fault_name, "jacobian", "patches-crossing" and "patches-touching".
+/// VALID with its certificate (dms-solid-1 or dms-solid-2); INVALID with one (dms-invalid-1) of the first finding; or
+/// UNDECIDED: "not-certified", with the condition of the page that is not proved to hold and its place; or
+/// "not-covered". Findings have the codes of fault_name, "jacobian", "patches-crossing" and "patches-touching".
 /// @param subject  the bytes of the file
 /// REQUIRES a model that validate() accepts.
 /// @cost  an exact derivative for each tetrahedron and term; that of certify for the boundary

@@ -66,7 +66,7 @@ struct DmsPairProof {
   std::array<Fraction, 2> feet;                     ///< kAtEdge
   std::vector<std::array<Fraction, 3>> directions;  ///< two if kAtEdge, or else one
 };
-/// Of version 2.
+/// A body of version 2.
 struct DmsPairsBody {
   std::vector<DmsTreeProof> trees;                 ///< of the tetrahedra
   std::vector<std::vector<DmsPlaneProof>> planes;  ///< of the faces of the boundary

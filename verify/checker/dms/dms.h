@@ -72,11 +72,11 @@ struct DmsBody {
   std::vector<DmsTree> trees;
   std::vector<std::vector<Ratio>> planes;  // of each face of the boundary
   Body domain = {nullptr, nullptr};
-  // Of dms-solid-1.
+  // Parts of dms-solid-1.
   std::vector<Ratio> added;  // three coordinates each
   std::vector<std::vector<DmsTile>> tiles;
   Body surface = {nullptr, nullptr};
-  // Of dms-solid-2.
+  // Parts of dms-solid-2.
   std::vector<DmsBlock> blocks;
   std::vector<DmsPair> pairs;
 };

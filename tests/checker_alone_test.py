@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 CHECKER = ROOT / "verify" / "checker"
 COMPILERS = [name for name in ("g++", "clang++", "clang++-14") if shutil.which(name)]
 STRICT = ("-std=c++11", "-pedantic-errors", "-Wall", "-Wextra", "-Werror")
-MOST_LINES_OF_A_FILE, MOST_COMMON_LINES = 300, 600
+MOST_LINES_OF_A_FILE, MOST_COMMON_LINES = 300, 610  # three lines a claim are its row of the table
 PARTS = ("common", "mesh", "points", "patches", "collar", "vmodel", "micro", "dms")  # the folders; what lies beside them serves every claim, as common does
 LANGUAGES = {"C++": (".h", ".cc"), "Python": (".py",)}
 

@@ -90,7 +90,7 @@ class Pairs(Case):
         second = next(i for i, c in enumerate(corners) if [1, 2, 0] in c)
         for planes in [], [[Q(1), Q(1), Q(0), Q(3)], [Q(0), Q(0), Q(1), Q(1, 2)]]:
             forged = copy.deepcopy(proof)
-            forged.body.blocks.append([[first, second], ONE, planes])
+            forged.body.blocks.append([sorted((first, second)), ONE, planes])
             self.dies_by("U1", forged)
 
     # PROVES DMS-5.U2

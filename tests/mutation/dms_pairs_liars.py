@@ -128,7 +128,7 @@ class Read(solid.Read):
         return self.clouds[v][0]
 
     def images_of(self, t, x):
-        """Of a vector, by the derivatives, times positive numbers."""
+        """The images of a vector by the derivatives, times positive numbers."""
         return sorted({tuple(primitive([dot(row, x) for row in g])) for _, _, g in self.terms(t)})
 
     def values_of(self, face):
@@ -188,7 +188,7 @@ class Read(solid.Read):
         return [found + [x for v, y, s in edges for x in self.steps(s, sub(self.place(y), self.place(v)))]]
 
     def of_edge(self, pair):
-        """The same for each of two directions."""
+        """The steps that each of two directions has to meet."""
         (a, t), (b, s) = (self.faces[f] for f in pair.faces)
         if len(self.common(*pair.faces)) != 2:
             return None

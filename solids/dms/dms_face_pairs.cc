@@ -28,6 +28,8 @@ using IntervalVector = std::array<Interval, 3>;
 
 constexpr std::size_t kItemsOfChunk = 8;
 constexpr int kWordBits = 30;  // of the greatest entry of a direction
+constexpr std::size_t kMostPairsOfFace = 200,
+                      kMostPairs = 20000;  // these and so many for each face
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double middle_of(const Interval& x) { return x.lo() / 2 + x.hi() / 2; }
@@ -149,8 +151,8 @@ class FacePairProof {
   std::variant<DmsFacePairs, DmsOpenPair> run() {
     make_forms();
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      if (!is_proved_alone(i)) return DmsOpenPair{i, i};
-    find_pairs();
+      if (!is_finite(faces_[i].box) || !is_proved_alone(i)) return DmsOpenPair{i, i};
+    if (const auto open = find_pairs()) return *open;
     std::vector<char> is_found(pairs_.size(), 0);
     for_all(pairs_.size(), [&](std::size_t i) { is_found[i] = prove_pair(pairs_[i]) ? 1 : 0; });
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -242,7 +244,7 @@ class FacePairProof {
     return out;
   }
 
-  // U1
+  // U3
   bool is_proved_alone(std::size_t face) {
     const std::uint32_t t = tetrahedron(face);
     const DmsLeafTree& tree = trees_[t];
@@ -252,8 +254,13 @@ class FacePairProof {
     return !blocks.empty() || add_block_of({t});
   }
 
-  // Faces with a common vertex, and faces whose boxes meet.
-  void find_pairs() {
+  static bool is_finite(const Box3d& box) {
+    return std::all_of(box.lo.begin(), box.lo.end(), [](double x) { return std::isfinite(x); }) &&
+           std::all_of(box.hi.begin(), box.hi.end(), [](double x) { return std::isfinite(x); });
+  }
+
+  // Faces with a common vertex, and faces whose boxes meet; a face where there are too many.
+  std::optional<DmsOpenPair> find_pairs() {
     std::vector<Box3d> boxes;
     for (const FaceValues& values : faces_) boxes.push_back(values.box);
     const BoxHierarchy tree(boxes);
@@ -270,7 +277,14 @@ class FacePairProof {
       others.erase(std::unique(others.begin(), others.end()), others.end());
       for (const std::uint32_t j : others)
         if (j > i) pairs_.push_back({i, j});
+      if (pairs_.size() > kMostPairsOfFace * forms_.size() + kMostPairs) return DmsOpenPair{i, i};
     }
+    return std::nullopt;
+  }
+  bool have_common_vertex(const DmsFacePair& pair) const {
+    const auto a = complex_.vertices(boundary()[pair.first]),
+               b = complex_.vertices(boundary()[pair.second]);
+    return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
   }
 
   bool prove_pair(DmsFacePair& pair) const {
@@ -286,7 +300,7 @@ class FacePairProof {
     return prove_at_edge(pair, common[0], common[1]);
   }
 
-  // U4
+  // U6
   bool prove_apart(DmsFacePair& pair) const {
     pair.kind = DmsFacePair::Kind::kApart;
     const FaceValues &a = faces_[pair.first], &b = faces_[pair.second];
@@ -318,7 +332,7 @@ class FacePairProof {
     return true;
   }
 
-  // U3
+  // U5
   bool prove_along(DmsFacePair& pair, std::vector<std::uint32_t> chain,
                    std::vector<std::uint32_t> tetrahedra) const {
     std::vector<Bundle> bundles;
@@ -341,7 +355,7 @@ class FacePairProof {
   }
   // Chains of one or two edges between faces without a common vertex.
   bool prove_by_chain(DmsFacePair& pair) {
-    if (pair.kind != DmsFacePair::Kind::kApart) return false;
+    if (have_common_vertex(pair)) return false;
     for (const std::uint32_t a : complex_.vertices(boundary()[pair.first]))
       for (const std::uint32_t b : complex_.vertices(boundary()[pair.second])) {
         if (const auto t = tetrahedron_at(a, b); t && prove_along(pair, {a, b}, {*t})) return true;
@@ -373,7 +387,7 @@ class FacePairProof {
     return out;
   }
 
-  // U2
+  // U4
   bool prove_at_edge(DmsFacePair& pair, std::uint32_t begin, std::uint32_t end) const {
     pair.kind = DmsFacePair::Kind::kAtEdge;
     const std::array<std::uint32_t, 2> edge = {begin, end};

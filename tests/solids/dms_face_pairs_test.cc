@@ -27,15 +27,16 @@ TetrahedralComplex complex_of(const DmsModel& model) {
   return TetrahedralComplex(model.tetrahedra, static_cast<std::uint32_t>(model.clouds.size()));
 }
 
-// A random solid near the identity, with clouds on the boundary, if it is proved.
+// A random solid near the identity, with clouds on the boundary, if it is proved; odd seeds are bent so much that pairs
+// often stay open.
 std::optional<Proved> draw_proved(std::uint64_t seed) {
   DmsModel model = draw_dms(seed, 3, 0).model;
   Random random(seed + 1000);
+  const Rational unit = Rational(1) / Rational(seed % 2 == 0 ? 200 : 50);
   dms_truth::warp_control(model, [&](const DmsPoint& p) {
     DmsPoint out = p;
     for (std::size_t c = 0; c < 3; ++c)
-      out[c] += Rational(random.between(-8, 8)) / Rational(200) +
-                p[(c + 1) % 3] * p[(c + 2) % 3] / Rational(40);
+      out[c] += Rational(random.between(-8, 8)) * unit + p[(c + 1) % 3] * p[(c + 2) % 3] * unit * 5;
     return out;
   });
   if (find_geometry_defects(model, 1).count > 0) return std::nullopt;
@@ -43,7 +44,11 @@ std::optional<Proved> draw_proved(std::uint64_t seed) {
   if (trees.index() != 0) return std::nullopt;
   TetrahedralComplex complex = complex_of(model);
   auto proved = prove_face_pairs(model, complex, std::get<0>(trees));
-  if (proved.index() != 0) return std::nullopt;
+  if (const auto* const open = std::get_if<DmsOpenPair>(&proved)) {
+    EXPECT_LE(open->first, open->second);
+    EXPECT_LT(open->second, complex.boundary().size());
+    return std::nullopt;
+  }
   return Proved{std::move(model), std::move(complex), std::get<0>(std::move(proved))};
 }
 
@@ -87,7 +92,7 @@ void expect_apart(const Proved& p, const DmsFacePair& pair, DmsEvaluator& map, c
 TEST(DmsFacePairs, SayWhatExactValuesShow) {
   std::array<std::size_t, 3> pairs{};
   std::size_t blocks = 0, solids = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const auto p = draw_proved(seed);
     if (!p) continue;
     ++solids;
@@ -122,7 +127,7 @@ TEST(DmsFacePairs, SayWhatExactValuesShow) {
 
 // Every pair with a common vertex is listed, or in a block.
 TEST(DmsFacePairs, LeaveNoPairOut) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const auto p = draw_proved(seed);
     if (!p) continue;
     std::set<std::pair<std::size_t, std::size_t>> known;

@@ -34,7 +34,7 @@ Bytes encode(const DmsBody& body) {
   w.u32(static_cast<std::uint32_t>(body.points.size()));
   for (const auto& point : body.points)
     for (const Fraction& x : point) internal::write_fraction(w, x);
-  internal::write_trees(w, body.trees);
+  internal::write_dms_trees(w, body.trees);
   for (const auto& planes : body.planes) write_planes(w, planes);
   for (const auto& tiles : body.tiles) {
     w.varint(tiles.size());
@@ -43,8 +43,8 @@ Bytes encode(const DmsBody& body) {
       write_planes(w, tile.planes);
     }
   }
-  internal::write_part(w, body.domain);
-  internal::write_part(w, body.surface);
+  internal::write_dms_part(w, body.domain);
+  internal::write_dms_part(w, body.surface);
   return w.take();
 }
 
@@ -60,7 +60,7 @@ std::optional<DmsBody> internal::read_dms_body(ByteReader r) {
   out.points.resize(r.count(kLeastBytesOfPoint));
   for (auto& point : out.points)
     for (Fraction& x : point) x = read_fraction(r);
-  out.trees = read_trees(r, trees);
+  out.trees = read_dms_trees(r, trees);
   for (std::size_t f = 0; f < faces && r.ok(); ++f) out.planes.push_back(read_planes(r));
   for (std::size_t f = 0; f < faces && r.ok(); ++f) {
     auto& tiles = out.tiles.emplace_back(read_count(r, kLeastBytesOfDmsTile));
@@ -69,9 +69,9 @@ std::optional<DmsBody> internal::read_dms_body(ByteReader r) {
       tile.planes = read_planes(r);
     }
   }
-  auto domain = read_part(r);
+  auto domain = read_dms_part(r);
   if (!domain) return std::nullopt;
-  auto surface = read_part(r);
+  auto surface = read_dms_part(r);
   if (!surface || !r.at_end()) return std::nullopt;
   out.domain = std::move(*domain);
   out.surface = std::move(*surface);
@@ -80,7 +80,7 @@ std::optional<DmsBody> internal::read_dms_body(ByteReader r) {
 
 std::string explain(const DmsBody& body, std::string_view claim, std::size_t max_items) {
   std::string out = "body: " + std::string(claim) + "\n";
-  internal::append_trees(out, body.trees, max_items);
+  internal::append_dms_trees(out, body.trees, max_items);
   internal::append_list(out, "faces of the boundary", body.tiles.size(), max_items,
                         [&](std::size_t i) {
                           const std::size_t n = std::max<std::size_t>(1, body.tiles[i].size());

@@ -26,7 +26,7 @@ void write_node(ByteWriter& w, const DmsLeafProof& leaf) {
   for (const Fraction& x : leaf.matrix) write_fraction(w, x);
   write_planes(w, leaf.planes);
 }
-DmsTreeProof read_tree(ByteReader& r) {
+DmsTreeProof read_dms_tree(ByteReader& r) {
   DmsTreeProof out;
   std::vector<std::size_t> levels{0};
   while (!levels.empty() && r.ok()) {
@@ -54,22 +54,22 @@ DmsTreeProof read_tree(ByteReader& r) {
 
 }  // namespace
 
-void write_trees(ByteWriter& w, const std::vector<DmsTreeProof>& trees) {
+void write_dms_trees(ByteWriter& w, const std::vector<DmsTreeProof>& trees) {
   for (const DmsTreeProof& tree : trees)
     for (const auto& node : tree) std::visit([&](const auto& n) { write_node(w, n); }, node);
 }
-std::vector<DmsTreeProof> read_trees(ByteReader& r, std::size_t count) {
+std::vector<DmsTreeProof> read_dms_trees(ByteReader& r, std::size_t count) {
   std::vector<DmsTreeProof> out;
-  while (out.size() < count && r.ok()) out.push_back(read_tree(r));
+  while (out.size() < count && r.ok()) out.push_back(read_dms_tree(r));
   return out;
 }
 
-void write_part(ByteWriter& w, const StarBoxBody& boxes) {
+void write_dms_part(ByteWriter& w, const StarBoxBody& boxes) {
   const Bytes bytes = encode(boxes);
   w.u32(static_cast<std::uint32_t>(bytes.size()));
   w.raw(bytes);
 }
-std::optional<StarBoxBody> read_part(ByteReader& r) {
+std::optional<StarBoxBody> read_dms_part(ByteReader& r) {
   const std::uint32_t length = r.u32();
   const auto part = r.raw(length);
   ByteReader magic(part);
@@ -79,7 +79,8 @@ std::optional<StarBoxBody> read_part(ByteReader& r) {
   return read_star_box_2(ByteReader(part));
 }
 
-void append_trees(std::string& out, const std::vector<DmsTreeProof>& trees, std::size_t max_items) {
+void append_dms_trees(std::string& out, const std::vector<DmsTreeProof>& trees,
+                      std::size_t max_items) {
   append_list(out, "tetrahedra", trees.size(), max_items, [&](std::size_t i) {
     std::size_t leaves = 0, polynomial = 0;
     const DmsLeafProof* first = nullptr;

@@ -12,6 +12,7 @@
 
 #include "interval/interval.h"
 #include "interval/upward.h"
+#include "robust/base/disjoint_sets.h"
 #include "robust/base/parallel.h"
 #include "solids/base/box_hierarchy.h"
 #include "solids/dms/dms_monotone.h"
@@ -152,6 +153,7 @@ class FacePairProof {
     make_forms();
     for (std::size_t i = 0; i < faces_.size(); ++i)
       if (!is_finite(faces_[i].box) || !is_proved_alone(i)) return DmsOpenPair{i, i};
+    if (const auto open = find_meeting_shells()) return *open;
     if (const auto open = find_pairs()) return *open;
     std::vector<char> is_found(pairs_.size(), 0);
     for_all(pairs_.size(), [&](std::size_t i) { is_found[i] = prove_pair(pairs_[i]) ? 1 : 0; });
@@ -257,6 +259,38 @@ class FacePairProof {
   static bool is_finite(const Box3d& box) {
     return std::all_of(box.lo.begin(), box.lo.end(), [](double x) { return std::isfinite(x); }) &&
            std::all_of(box.hi.begin(), box.hi.end(), [](double x) { return std::isfinite(x); });
+  }
+
+  // U7: first faces of two shells whose boxes meet.
+  std::optional<DmsOpenPair> find_meeting_shells() const {
+    DisjointSets<> connected(complex_.num_vertices());
+    for (const TetrahedronFace f : boundary()) {
+      const auto v = complex_.vertices(f);
+      connected.join(v[0], v[1]);
+      connected.join(v[0], v[2]);
+    }
+    std::map<std::uint32_t, std::size_t> number;
+    std::vector<std::size_t> first;
+    std::vector<Box3d> boxes;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const std::uint32_t root = connected.find(complex_.vertices(boundary()[i])[0]);
+      const auto [at, is_new] = number.emplace(root, boxes.size());
+      if (is_new) first.push_back(i), boxes.push_back(empty_box());
+      Box3d& box = boxes[at->second];
+      for (std::size_t c = 0; c < 3; ++c) {
+        box.lo[c] = std::min(box.lo[c], faces_[i].box.lo[c]);
+        box.hi[c] = std::max(box.hi[c], faces_[i].box.hi[c]);
+      }
+    }
+    const BoxHierarchy tree(boxes);
+    std::optional<DmsOpenPair> open;
+    for (std::size_t i = 0; i < boxes.size() && !open; ++i)
+      tree.visit([&](const Box3d& b) { return meets(b, boxes[i]); },
+                 [&](std::uint32_t j) {
+                   if (j != i)
+                     open = DmsOpenPair{std::min(first[i], first[j]), std::max(first[i], first[j])};
+                 });
+    return open;
   }
 
   // Faces with a common vertex, and faces whose boxes meet; a face where there are too many.

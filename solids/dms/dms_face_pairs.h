@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // solids/dms/dms_face_pairs.h: proofs that the map is one to one on the boundary of its domain, by blocks of tetrahedra
-// and by pairs of faces: the conditions U1 to U6 of docs/certificates/dms-solid-2.md. Theory: docs/THEORY.md, DMS-5.
+// and by pairs of faces: the conditions U1 to U7 of docs/certificates/dms-solid-2.md. Theory: docs/THEORY.md, DMS-5.
 // Design: docs/design/0109-boundaries-by-pairs-of-faces.md.
 #pragma once
 #include <array>
@@ -45,7 +45,7 @@ struct DmsFacePairs {
   std::vector<DmsFacePair> pairs;
 };
 
-/// Places of two faces, perhaps of one twice, for which nothing was found.
+/// Places of two faces, perhaps of one twice, for which nothing was found, or whose shells may meet.
 struct DmsOpenPair {
   std::size_t first = 0, second = 0;
 };

@@ -28,12 +28,12 @@ def corner_shape():
     return files.model(3, clouds, tetrahedra, lambda p: [p[0] + p[1] * p[1] / 64, p[1], p[2]])
 
 
-def two_blocks():
-    """Two blocks of eight cubes, far apart in the domain. The image of the second one is a quarter as large, and lies inside of the first."""
+def two_blocks(shift):
+    """Two blocks of eight cubes, far apart in the domain. The image of the second one is a quarter as large, and moved."""
     one = json.loads(eight_cubes())
     vertices, tetrahedra, control = one["vertices"], one["tetrahedra"], one["control"]
     far = [[[str(Q(c) + 9) for c in knot] for knot in cloud] for cloud in vertices]
-    moved = [{"at": [v + 27 for v in c["at"]], "value": [str(Q(x) / 4 + Q(3, 4)) for x in c["value"]]} for c in control]
+    moved = [{"at": [v + 27 for v in c["at"]], "value": [str(Q(x) / 4 + shift) for x in c["value"]]} for c in control]
     one.update(vertices=vertices + far, tetrahedra=tetrahedra + [[v + 27 for v in t] for t in tetrahedra], control=control + moved)
     return json.dumps(one).encode()
 
@@ -165,7 +165,16 @@ class Pairs(Case):
     # PROVES DMS-5.U7
     def test_a_solid_inside_of_another_one(self):
         """The map is one to one on the boundary, and not on the domain."""
-        data = two_blocks()
+        self.dies_by("U7", *self.of_two_blocks(Q(3, 4)))
+
+    def test_a_solid_beside_another_one(self):
+        self.judged("ACCEPT", *self.of_two_blocks(Q(9, 4)))
+        proof = self.proof(two_blocks(Q(9, 4)))
+        self.assertEqual((proof.statement["shells"], proof.statement["bodies"]), (2, 2))
+        self.judged("ACCEPT", proof)
+
+    def of_two_blocks(self, shift):
+        data = two_blocks(shift)
         one, of_domain = self.proof(eight_cubes()), super().proof(of_degree_1(data))
         proof = copy.deepcopy(one)
         proof.data, body = data, proof.body
@@ -174,7 +183,8 @@ class Pairs(Case):
         body.blocks += [[[t + 48 for t in block[0]], block[1], []] for block in body.blocks]
         body.pairs += [moved_pair(pair) for pair in body.pairs]
         body.domain = of_domain.body.domain
-        self.dies_by("U7", proof, tetrahedra=96, control_points=2 * one.statement["control_points"], shells=2, bodies=2)
+        proof.statement.update(tetrahedra=96, control_points=2 * one.statement["control_points"], shells=2, bodies=2)
+        return proof,
 
     def test_wrong_numbers(self):
         proof = self.proof(cube())

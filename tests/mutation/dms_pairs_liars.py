@@ -499,22 +499,25 @@ def wide_blocks(rng):
 
 
 def several_shells(rng):
-    """U7: on the boundary the map is one to one, but the image of a body lies in that of another one, or beside it; or there is a void.
-    U6: these images meet."""
-    what, degree = rng.randrange(4), rng.choice((1, 2))
+    """U7: on the boundary the map is one to one, but the image of a body lies in that of another one; or there is a void. U6: these images
+    meet."""
+    what, degree = rng.randrange(3), rng.choice((1, 2))
     if what == 0:
         yield "U7_void", copy.deepcopy(with_void())
-    elif what < 3:
-        place = tuple(Q(rng.randint(1, 15), 8) for _ in range(3)) if what == 1 else (Q(rng.choice((-2, 5))), Q(rng.randint(-2, 2)), Q(1))
-        proof = two_bodies(1 if what == 1 else degree, 4 if rng.random() < .5 or what == 2 else 3, place)
+    elif what == 1:
+        proof = two_bodies(1, rng.choice((3, 4)), tuple(Q(rng.randint(1, 15), 8) for _ in range(3)))
         assert not proof.missing
-        proof = copy.deepcopy(proof)
-        if rng.random() < .3:
-            proof.lie = rng.choice(({"shells": 1}, {"bodies": 1}, {"shells": 1, "bodies": 1}))
-        yield ("U7_nested", "U7_beside")[what - 1], proof
+        yield "U7_nested", copy.deepcopy(proof)
     else:
         lie, proof = rng.choice([*LIES, "in_blocks"]), two_bodies(degree, 1, tuple(overlap(rng)))
         yield lie + "_bodies", placed(rng, lied(proof, lie))
+
+
+def beside(rng):
+    """Two bodies whose images lie in boxes that are apart."""
+    proof = two_bodies(rng.choice((1, 2)), 4, (Q(rng.choice((-2, 5))), Q(rng.randint(-2, 2)), Q(1)))
+    assert not proof.missing
+    return placed(rng, copy.deepcopy(proof))
 
 
 def mirrors(rng):
@@ -913,6 +916,8 @@ def honest(rng):
     yield name, proof.data, proof.certificate()
     proof = some_forged(rng)
     yield "forged", proof.data, proof.certificate()
+    proof = beside(rng)
+    yield "beside", proof.data, proof.certificate()
 
 
 class Run(vmodel_liars.Run):

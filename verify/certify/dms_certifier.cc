@@ -351,9 +351,9 @@ class DmsCertification {
     return std::nullopt;
   }
 
-  // Whether the boundary has one shell, on which blocks and pairs of faces prove the map to be one to one.
+  // Whether bodies have one shell each, and blocks and pairs of faces prove the map to be one to one on the boundary.
   bool surface_by_pairs() {
-    if (domain_.genera.size() != 1) return false;
+    if (domain_.genera.size() != domain_.bodies) return false;
     auto proved =
         prove_face_pairs(model_, complex_, trees_, {std::max(1u, options_.jobs), options_.work});
     const auto* const found = std::get_if<DmsFacePairs>(&proved);

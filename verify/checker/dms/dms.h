@@ -133,5 +133,6 @@ void check_dms_jacobian(const DmsModel& model, const DmsBody& body, Units* units
 // T1 to T3.
 DmsNumbers check_dms_surface(const DmsModel& model, const DmsBody& body, uint64_t file_bytes,
                              Units* units);
-// U1 to U6.
-void check_dms_pairs(const DmsModel& model, const DmsBody& body, Units* units);
+// U1 to U7.
+void check_dms_pairs(const DmsModel& model, const DmsBody& body, const DmsNumbers& of_domain,
+                     Units* units);

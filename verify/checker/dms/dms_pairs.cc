@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// dms_pairs.cc: U1 to U6 of docs/certificates/dms-solid-2.md.
+// dms_pairs.cc: U1 to U7 of docs/certificates/dms-solid-2.md.
 #include "dms_pieces.h"
 #include "dms_reach.h"
 
@@ -224,13 +224,62 @@ struct DmsPairs {
       }
     }
   }
+
+  // The least number of a vertex that is connected with each vertex of the boundary.
+  std::vector<uint32_t> shells_of_vertices() const {
+    std::vector<uint32_t> least(model.clouds.size());
+    for (uint32_t v = 0; v < least.size(); ++v) least[v] = v;
+    for (const DmsFace& face : model.faces) {
+      uint32_t root[3];
+      for (size_t c = 0; c < 3; ++c) {
+        root[c] = face.vertex[c];
+        while (least[root[c]] != root[c]) root[c] = least[root[c]] = least[least[root[c]]];
+      }
+      const uint32_t first = std::min(root[0], std::min(root[1], root[2]));
+      for (uint32_t r : root) least[r] = first;
+    }
+    for (uint32_t& v : least) v = least[v];  // ascending: that of the lesser one is known
+    return least;
+  }
+  void check_shells(const DmsNumbers& of_domain) {
+    units->id = "U7";
+    require(of_domain.shells == of_domain.bodies, "U7", "the shells of the domain are",
+            of_domain.shells);
+    if (of_domain.shells == 1) return;
+    const std::vector<uint32_t> shells = shells_of_vertices();
+    typedef std::array<const DmsPoint*, 6> Ends;  // least and greatest, along three axes
+    std::map<uint32_t, Ends> boxes;
+    for (size_t f = 0; f < faces.size(); ++f)
+      for (const DmsPoint& p : faces[f].values) {
+        Ends& ends = boxes.insert({shells[model.faces[f].vertex[0]], {{&p, &p, &p, &p, &p, &p}}})
+                         .first->second;
+        for (int k = 0; k < 3; ++k) {
+          if (dms_compare(p, *ends[size_t(2 * k)], k) < 0) ends[size_t(2 * k)] = &p;
+          if (dms_compare(p, *ends[size_t(2 * k + 1)], k) > 0) ends[size_t(2 * k + 1)] = &p;
+        }
+      }
+    for (auto a = boxes.begin(); a != boxes.end(); ++a)
+      for (auto b = std::next(a); b != boxes.end(); ++b) {
+        units->add(1);
+        bool are_apart = false;
+        for (int k = 0; k < 3; ++k)
+          are_apart =
+              are_apart ||
+              dms_compare(*a->second[size_t(2 * k + 1)], *b->second[size_t(2 * k)], k) < 0 ||
+              dms_compare(*b->second[size_t(2 * k + 1)], *a->second[size_t(2 * k)], k) < 0;
+        require(are_apart, "U7", "values of two shells are not apart, of that with vertex",
+                a->first);
+      }
+  }
 };
 
 }  // namespace
 
-void check_dms_pairs(const DmsModel& model, const DmsBody& body, Units* units) {
+void check_dms_pairs(const DmsModel& model, const DmsBody& body, const DmsNumbers& of_domain,
+                     Units* units) {
   DmsPairs check(model, body, units);
   check.check_blocks();
   check.check_faces();
   check.check_pairs();
+  check.check_shells(of_domain);
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Pairs of faces of the boundary of a simplex-spline solid (docs/certificates/dms-solid-2.md, section 4): U4 to U6."""
+"""Pairs of faces of the boundary of a simplex-spline solid (docs/certificates/dms-solid-2.md, section 4): U4 to U7."""
 from fractions import Fraction
 
 from ..common.vectors import dot, sub
@@ -37,6 +37,37 @@ class Pairs:
             for j in tree.meeting(tree.boxes[i]):
                 if j > i and j not in others:
                     self.test_unlisted(i, j, boxes, blocks)
+
+    def test_shells(self, shells, bodies):
+        """U7, with the numbers of the domain."""
+        if shells != bodies:
+            self.fail("U7", "the domain has %d shells and %d bodies" % (shells, bodies))
+        boxes = []
+        for faces in self.connected_faces():
+            every = [self.box_of_values(i) for i in faces]
+            box = [(max if end % 2 else min)(b[end] for b in every) for end in range(6)]
+            for other in boxes:
+                self.spend("U7")
+                if not are_apart(box, other):
+                    self.fail("U7", "the shell of the face %d and another one may meet" % faces[0])
+            boxes.append(box)
+
+    def connected_faces(self):
+        """Lists of faces that chains of common vertices connect."""
+        at_vertex, seen = {}, set()
+        for i, face in enumerate(self.boundary):
+            for v in face:
+                at_vertex.setdefault(v, []).append(i)
+        for first in range(len(self.boundary)):
+            if first in seen:
+                continue
+            seen.add(first)
+            faces = [first]
+            for i in faces:                                 # it grows
+                more = {j for v in self.boundary[i] for j in at_vertex[v]} - seen
+                seen |= more
+                faces += more
+            yield faces
 
     def test_listed(self, pair):
         why = self.tests[pair.kind](pair)

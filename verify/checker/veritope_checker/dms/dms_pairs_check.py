@@ -27,9 +27,9 @@ class PairsChecker(SolidChecker):
         self.owners = owners_of(self.model, self.boundary)
         self.test_blocks()
         self.test_owners()
-        Pairs(self.spline, self.boundary, self.owners, self.cert, self.fail, self.spend).test()
-        if self.of_domain["shells"] != 1:
-            self.fail("U7", "the domain has %d shells" % self.of_domain["shells"])
+        pairs = Pairs(self.spline, self.boundary, self.owners, self.cert, self.fail, self.spend)
+        pairs.test()
+        pairs.test_shells(self.of_domain["shells"], self.of_domain["bodies"])
         self.numbers.update(faces=len(self.boundary), **self.of_domain)
 
     # ------------------------------------------------------------ section 3

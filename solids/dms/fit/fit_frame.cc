@@ -20,8 +20,8 @@ std::array<std::array<double, 3>, 4> rounded(const std::array<DmsPoint, 4>& poin
 FitFrame fit_frame(const std::array<DmsPoint, 4>& points) {
   const auto at = rounded(points);
   const auto frame = simplex_frame<double>(kNumbers, at, Sign::kPositive);
-  if (!is_nearly_flat(frame, at)) return {frame.lambda, false};
-  FitFrame out{{}, true};
+  if (!is_nearly_flat(frame, at)) return {frame.lambda};
+  FitFrame out;
   const auto exact = simplex_frame<Rational>(kNumbers, points, Sign::kPositive);
   for (std::size_t m = 0; m < 4; ++m)
     for (std::size_t k = 0; k < 4; ++k) out.lambda[m][k] = nearest_double(exact.lambda[m][k]);

@@ -12,8 +12,6 @@ namespace veritope {
 struct FitFrame {
   /// The coordinate m of u is lambda[m][0] + lambda[m][1] u_x + lambda[m][2] u_y + lambda[m][3] u_z.
   std::array<std::array<double, 4>, 4> lambda{};
-  bool is_flat =
-      false;  ///< nearly: the numbers are the nearest ones, but so large that sums of them are not
 };
 
 /// REQUIRES four points that are not in one plane. @cost a microsecond; for flat ones some 20

@@ -82,6 +82,9 @@ class Pairs(Case):
         for data in (cube(), cube(4, Q(1, 20)), cube(radius=Q(1, 12), seed=5), corner_shape()):
             self.judged("ACCEPT", self.proof(data))
 
+    def test_an_image_without_star_boxes(self):
+        self.judged("ACCEPT", self.proof(cube(2, Q(1, 20), lambda p: [p[0] + 10**6 * p[1], p[1], p[2]])))
+
     # PROVES DMS-5.U1
     def test_a_block_that_leaves_the_domain(self):
         proof = self.proof(corner_shape())

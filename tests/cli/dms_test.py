@@ -314,12 +314,17 @@ class Dms(Folder):
     def test_certify_proves_a_creased_surface_by_pairs_of_faces(self):
         done = run("certify", MODELS / "dms" / "outward_clouds.vdms", "--json", self.folder / "r.json")
         self.assertEqual(done.returncode, 0, done)
-        self.assertIn("1 body, genus 0 (checked)", done.stdout)
+        self.assertIn("1 body, genus 0, volume about 0.999287 (checked)", done.stdout)
         self.assertIn("  proof        6 leaves, pairs of 12 faces of the surface", done.stdout)
         document = json.loads((self.folder / "r.json").read_text())
         self.assertEqual(schema.faults(document), [])
         found = document["files"][0]
-        self.assertEqual((found["counts"]["faces"], found["counts"]["patches"], found["volume"]), (12, None, None))
+        self.assertEqual((found["counts"]["faces"], found["counts"]["patches"]), (12, None))
+        # The patches have the same volume, as a solid of their own.
+        self.assertEqual(run("dms", "boundary", MODELS / "dms" / "outward_clouds.vdms", "-o", "b.vjson", cwd=self.folder).returncode, 0)
+        self.assertEqual(run("certify", "b.vjson", "--json", "b.json", cwd=self.folder).returncode, 0)
+        patches = json.loads((self.folder / "b.json").read_text())["files"][0]
+        self.assertLess(abs(patches["volume"]["lo"] - found["volume"]["lo"]), 1e-9)
 
     def test_a_narrow_fold_where_clouds_reach_outward_is_found_by_samples(self):
         done = run("certify", MODELS / "dms" / "narrow_fold.vdms")

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "interval/upward.h"
 #include "io/splines/spline_model.h"
 #include "solids/dms/dms_defects.h"
 #include "solids/dms/dms_face_pairs.h"
@@ -17,6 +18,7 @@
 #include "solids/dms/dms_surface.h"
 #include "solids/dms/dms_tiles.h"
 #include "solids/dms/fast/fold_search.h"
+#include "solids/pieces/patch_volume.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/certify_kinds_internal.h"
 #include "verify/certify/dms_refutation.h"
@@ -34,6 +36,10 @@ constexpr std::size_t kMaxCertifiedBits = 256, kMaxPointBytes = 128;
 // More tiles are tried only if pairs of faces prove nothing. Tiles take some milliseconds each, but give the volume to
 // more digits.
 constexpr std::size_t kTilesBeforePairs = 500;
+// After a proof by pairs, tiles give the volume if they are no more.
+constexpr std::size_t kTilesForVolume = 2000;
+constexpr double kVolumeTolerance =
+    1e-5;  // as in PatchDecisionOptions; nothing for polynomial patches
 
 std::string text_of(const DmsPoint& p) {
   return "(" + p[0].to_string() + ", " + p[1].to_string() + ", " + p[2].to_string() + ")";
@@ -174,12 +180,15 @@ class DmsCertification {
     return std::nullopt;
   }
 
+  static SplineModel spline_model(std::vector<ExactTriangle> triangles) {
+    SplineModel out;
+    for (ExactTriangle& t : triangles) out.entities.push_back({std::move(t), {}, std::nullopt, {}});
+    return out;
+  }
   // Proves that triangles bound a solid, or says what is against it.
   std::variant<SurfaceProof, SurfaceFault> prove_surface(std::vector<ExactTriangle> triangles,
                                                          const std::string& what) const {
-    SplineModel model;
-    for (ExactTriangle& t : triangles)
-      model.entities.push_back({std::move(t), {}, std::nullopt, {}});
+    const SplineModel model = spline_model(std::move(triangles));
     Result<FilePatches> patches = file_patches(model, PatchOrientation::kKeep);
     if (!patches)
       return SurfaceFault{reason(what + ": " + patches.error().message, "not-covered"), {}};
@@ -367,7 +376,29 @@ class DmsCertification {
     facts_.faces = complex_.boundary().size();
     facts_.bodies = domain_.bodies;
     facts_.genera = domain_.genera;
+    facts_.volume = volume_by_tiles();
     return true;
+  }
+  // The volume within the image of the boundary. REQUIRES that the map is proved to be one to one.
+  std::optional<Interval> volume_by_tiles() const {
+    DmsTileOptions how{std::max(1u, options_.jobs), options_.work};
+    how.max_tiles = kTilesForVolume;
+    const auto tiled = tile_boundary(model_, complex_, how);
+    if (tiled.index() != 0) return std::nullopt;
+    std::vector<DmsTile> all;
+    for (const auto& tiles : std::get<0>(tiled)) all.insert(all.end(), tiles.begin(), tiles.end());
+    const DmsEvaluator evaluator(model_);
+    const SplineModel model = spline_model(patches_on(model_, evaluator, all, how));
+    const Result<FilePatches> patches = file_patches(model, PatchOrientation::kKeep);
+    if (!patches || !patches->complex || !patches->complex->is_closed_oriented_surface())
+      return std::nullopt;
+    Result<PieceForest> forest = PieceForest::make(*patches->complex);
+    if (!forest) return std::nullopt;
+    const std::vector<Interval> volumes = shell_volumes(*forest, kVolumeTolerance);
+    const ScopedUpward upward;
+    Interval sum;
+    for (const Interval& v : volumes) sum += v;
+    return sum;
   }
   static certificate::DmsBlockProof proof_of(const DmsBlock& block) {
     certificate::DmsBlockProof out;

@@ -5,13 +5,16 @@ VERITOPE names the program."""
 import copy
 import json
 import unittest
+import unittest.mock
 from fractions import Fraction as Q
 
 import judges
 from dms_solid_test import Case, bent, files
+from veritope_checker.dms import dms_pairs
 
 OTHER = [Q(c) for c in (1, 9, 0, 0, 1, 0, 0, 0, 1)]       # no matrix for maps near the identity
 ONE = [Q(i % 4 == 0) for i in range(9)]
+FAR = 9                                                   # along all axes of the domain
 
 
 def cube(degree=3, radius=Q(1, 10), warp=bent, seed=1):
@@ -20,21 +23,22 @@ def cube(degree=3, radius=Q(1, 10), warp=bent, seed=1):
     return files.model(degree, files.clouds_of(points, degree, (1, 1, 1), radius, seed, True), tetrahedra, warp)
 
 
-def corner_shape():
+def corner_shape(warp=lambda p: [p[0] + p[1] * p[1] / 64, p[1], p[2]]):
     """Three cubes in the shape of an L, with outward clouds off its inner edge."""
     points, tetrahedra = files.grid_domain((2, 2, 1), lambda cell: cell != (1, 1, 0))
     clouds = files.clouds_of(points, 3, (2, 2, 1), Q(1, 10), 1, True)
     clouds = [cloud if 0 in cloud[0][:2] else cloud[:1] for cloud in clouds]
-    return files.model(3, clouds, tetrahedra, lambda p: [p[0] + p[1] * p[1] / 64, p[1], p[2]])
+    return files.model(3, clouds, tetrahedra, warp)
 
 
-def two_blocks(shift):
-    """Two blocks of eight cubes, far apart in the domain. The image of the second one is a quarter as large, and moved."""
-    one = json.loads(eight_cubes())
-    vertices, tetrahedra, control = one["vertices"], one["tetrahedra"], one["control"]
-    far = [[[str(Q(c) + 9) for c in knot] for knot in cloud] for cloud in vertices]
-    moved = [{"at": [v + 27 for v in c["at"]], "value": [str(Q(x) / 4 + shift) for x in c["value"]]} for c in control]
-    one.update(vertices=vertices + far, tetrahedra=tetrahedra + [[v + 27 for v in t] for t in tetrahedra], control=control + moved)
+def beside(one, other, factor, shift):
+    """Both models in one, the other one far away in the domain; its image is scaled and moved."""
+    one, other = json.loads(one), json.loads(other)
+    count = len(one["vertices"])
+    one["vertices"] += [[[str(Q(c) + FAR) for c in knot] for knot in cloud] for cloud in other["vertices"]]
+    one["tetrahedra"] += [[v + count for v in t] for t in other["tetrahedra"]]
+    one["control"] += [{"at": [v + count for v in c["at"]], "value": [str(Q(x) * factor + s) for x, s in zip(c["value"], shift)]}
+                       for c in other["control"]]
     return json.dumps(one).encode()
 
 
@@ -50,10 +54,14 @@ def of_degree_1(data):
     return files.model(1, [[p] for p in points], file["tetrahedra"])
 
 
-def moved_pair(pair):
+def moved_planes(planes):
+    return [[*plane[:3], plane[3] + FAR * sum(plane[:3])] for plane in planes]
+
+
+def moved_pair(pair, faces, vertices, tetrahedra):
     out = copy.deepcopy(pair)
-    out.faces = [f + 48 for f in pair.faces]
-    out.chain, out.tetrahedra = [v + 27 for v in pair.chain], [t + 48 for t in pair.tetrahedra]
+    out.faces = [f + faces for f in pair.faces]
+    out.chain, out.tetrahedra = [v + vertices for v in pair.chain], [t + tetrahedra for t in pair.tetrahedra]
     return out
 
 
@@ -168,26 +176,49 @@ class Pairs(Case):
     # PROVES DMS-5.U7
     def test_a_solid_inside_of_another_one(self):
         """The map is one to one on the boundary, and not on the domain."""
-        self.dies_by("U7", *self.of_two_blocks(Q(3, 4)))
+        self.dies_by("U7", self.joined(eight_cubes(), eight_cubes(), Q(1, 4), [Q(3, 4)] * 3))
 
     def test_a_solid_beside_another_one(self):
-        self.judged("ACCEPT", *self.of_two_blocks(Q(9, 4)))
-        proof = self.proof(two_blocks(Q(9, 4)))
+        shift = [Q(9, 4)] * 3
+        self.judged("ACCEPT", self.joined(eight_cubes(), eight_cubes(), Q(1, 4), shift))
+        proof = self.proof(beside(eight_cubes(), eight_cubes(), Q(1, 4), shift))
         self.assertEqual((proof.statement["shells"], proof.statement["bodies"]), (2, 2))
         self.judged("ACCEPT", proof)
 
-    def of_two_blocks(self, shift):
-        data = two_blocks(shift)
-        one, of_domain = self.proof(eight_cubes()), super().proof(of_degree_1(data))
-        proof = copy.deepcopy(one)
+    def test_boxes_of_shells_that_touch(self):
+        """A cube in the notch of an L: no boxes of two of their faces meet, but those of the shells do, in an edge."""
+        shape, small = corner_shape(lambda p: p), cube(warp=lambda p: p)
+        (_, right, _, back, _, _), (left, _, front, _, _, _) = map(self.box_of_values, (shape, small))
+        for step, expected in ((Q(0), "U7"), (Q(1, 1 << 80), "ACCEPT"), (Q(-1, 1 << 80), "U7")):
+            self.judged(expected, self.joined(shape, small, 1, [right - left + step, back - front, Q(0)]))
+
+    def box_of_values(self, data):
+        """By the Python checker's own parts: how they are used is tested here, not what they are."""
+        found, tested = [], dms_pairs.Pairs.test_shells
+
+        def test_shells(pairs, shells, bodies):
+            every = [pairs.box_of_values(i) for i in range(len(pairs.boundary))]
+            found.extend((max if end % 2 else min)(box[end] for box in every) for end in range(6))
+            tested(pairs, shells, bodies)
+        with unittest.mock.patch.object(dms_pairs.Pairs, "test_shells", test_shells):
+            self.judged("ACCEPT", self.proof(data))
+        return found
+
+    def joined(self, one, other, factor, shift):
+        """The certificate of both, of the parts of those of each of them."""
+        data = beside(one, other, factor, shift)
+        first, second, of_domain = self.proof(one), self.proof(other), super().proof(of_degree_1(data))
+        counts = [len(json.loads(one)[key]) for key in ("vertices", "tetrahedra")]
+        proof = copy.deepcopy(first)
         proof.data, body = data, proof.body
-        body.trees += copy.deepcopy(body.trees)
-        body.planes += [[[*plane[:3], plane[3] + 9 * sum(plane[:3])] for plane in planes] for planes in body.planes]
-        body.blocks += [[[t + 48 for t in block[0]], block[1], []] for block in body.blocks]
-        body.pairs += [moved_pair(pair) for pair in body.pairs]
+        body.pairs += [moved_pair(pair, len(body.planes), *counts) for pair in second.body.pairs]
+        body.trees += second.body.trees
+        body.planes += [moved_planes(planes) for planes in second.body.planes]
+        body.blocks += [[[t + counts[1] for t in block[0]], block[1], moved_planes(block[2])] for block in second.body.blocks]
         body.domain = of_domain.body.domain
-        proof.statement.update(tetrahedra=96, control_points=2 * one.statement["control_points"], shells=2, bodies=2)
-        return proof,
+        proof.statement.update(tetrahedra=len(body.trees), shells=2, bodies=2,
+                               control_points=first.statement["control_points"] + second.statement["control_points"])
+        return proof
 
     def test_wrong_numbers(self):
         proof = self.proof(cube())

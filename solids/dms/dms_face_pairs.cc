@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "interval/interval.h"
+#include "interval/numeric.h"
 #include "interval/upward.h"
 #include "robust/base/disjoint_sets.h"
 #include "robust/base/parallel.h"
@@ -29,17 +30,13 @@ using IntervalVector = std::array<Interval, 3>;
 
 constexpr std::size_t kItemsOfChunk = 8;
 constexpr int kWordBits = 30;  // of the greatest entry of a direction
-constexpr std::size_t kMostPairsOfFace = 200,
-                      kMostPairs = 20000;  // these and so many for each face
+constexpr std::size_t kMostPairs = 20000, kMostPairsOfFace = 200;  // and so many for each face
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double middle_of(const Interval& x) { return x.lo() / 2 + x.hi() / 2; }
-PlainVector middle_of(const IntervalVector& v) {
-  return {middle_of(v[0]), middle_of(v[1]), middle_of(v[2])};
-}
+PlainVector middle_of(const IntervalVector& v) { return {mid(v[0]), mid(v[1]), mid(v[2])}; }
 PlainMatrix middle_of(const EnclosedMatrix& m) {
   PlainMatrix out;
-  for (std::size_t i = 0; i < 9; ++i) out[i] = middle_of(m.bounds[i]);
+  for (std::size_t i = 0; i < 9; ++i) out[i] = mid(m.bounds[i]);
   return out;
 }
 PlainVector image_of(const PlainMatrix& m, const PlainVector& v) {
@@ -214,7 +211,7 @@ class FacePairProof {
                                 const std::array<DmsPoint, 4>& corners) {
     PlainMatrix mean{}, edges{};
     for (const EnclosedMatrix* const g : derivatives)
-      for (std::size_t i = 0; i < 9; ++i) mean[i] += middle_of(g->bounds[i]);
+      for (std::size_t i = 0; i < 9; ++i) mean[i] += mid(g->bounds[i]);
     for (double& x : mean) x /= static_cast<double>(derivatives.size());
     for (std::size_t e = 0; e < 3; ++e) {
       const PlainVector edge = middle_of(enclosed(difference(corners[e + 1], corners[0])));
@@ -254,11 +251,6 @@ class FacePairProof {
     if (leaf != nullptr && !leaf->is_polynomial) return true;
     const auto& blocks = blocks_of_[t];
     return !blocks.empty() || add_block_of({t});
-  }
-
-  static bool is_finite(const Box3d& box) {
-    return std::all_of(box.lo.begin(), box.lo.end(), [](double x) { return std::isfinite(x); }) &&
-           std::all_of(box.hi.begin(), box.hi.end(), [](double x) { return std::isfinite(x); });
   }
 
   // U7: first faces of two shells whose boxes meet.
@@ -311,7 +303,7 @@ class FacePairProof {
       others.erase(std::unique(others.begin(), others.end()), others.end());
       for (const std::uint32_t j : others)
         if (j > i) pairs_.push_back({i, j});
-      if (pairs_.size() > kMostPairsOfFace * forms_.size() + kMostPairs) return DmsOpenPair{i, i};
+      if (pairs_.size() > kMostPairsOfFace * faces_.size() + kMostPairs) return DmsOpenPair{i, i};
     }
     return std::nullopt;
   }
@@ -535,7 +527,7 @@ class FacePairProof {
   std::map<std::uint32_t, TetrahedronForm> forms_;
   std::vector<FaceValues> faces_;
   std::vector<DmsFacePair> pairs_;
-  std::map<std::uint32_t, std::vector<std::size_t>> blocks_of_;  // with matrices, of a tetrahedron
+  std::map<std::uint32_t, std::vector<std::size_t>> blocks_of_;  // a tetrahedron
   BoxHierarchy by_face_;
   DmsFacePairs out_;
 };

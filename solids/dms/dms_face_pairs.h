@@ -28,18 +28,18 @@ struct DmsFacePair {
 
   std::uint32_t first = 0, second = 0;  ///< first < second
   Kind kind = Kind::kApart;
-  /// Two if the faces have a common edge; else one.
+  /// kAtEdge: two; else one.
   std::vector<DmsPoint> directions = {};
   /// kChain: vertices from one of the first face to one of the second face, each joined to the next one by an edge; and
   /// for each of these edges a tetrahedron that has it.
   std::vector<std::uint32_t> chain = {}, tetrahedra = {};
-  /// kAtEdge: where on the edge the apexes of both faces are projected to, as shares of its second vertex in the order
-  /// of the first face.
+  /// kAtEdge: where on the edge the apexes of both faces are projected to. The edge leads from 0 to 1 as it does in the
+  /// first face.
   std::array<Rational, 2> feet = {};
 };
 
-/// Pairs are in ascending order. Not listed are two faces whose tetrahedra are in one block with a matrix, and two
-/// without a common vertex whose images have boxes that are apart.
+/// Pairs are in ascending order. Not listed are two faces whose tetrahedra are in one block, and two without a
+/// common vertex whose images have boxes that are apart.
 struct DmsFacePairs {
   std::vector<DmsBlock> blocks;
   std::vector<DmsFacePair> pairs;

@@ -37,11 +37,11 @@ class BoundaryTiling {
   }
 
   std::variant<std::vector<std::vector<DmsTile>>, DmsOpenFace> run() {
-    std::size_t polygons = 0;  // no more than there are tiles
+    std::size_t least = 0;  // of tiles: a polygon with n corners has n - 2 of them, or more
     for (const TetrahedronFace f : complex_.boundary()) {
       if (!cut_face(f)) return DmsOpenFace{f};
-      polygons += polygons_.back().size();
-      if (polygons > options_.max_tiles) return DmsOpenFace{f, true};
+      for (const DmsPolygon& polygon : polygons_.back()) least += polygon.size() - 2;
+      if (least > options_.max_tiles) return DmsOpenFace{f, true};
       collect_edge_points(f);
     }
     std::vector<Triangle> triangles;

@@ -15,8 +15,7 @@ double dot_product(const PlainVector& a, const PlainVector& b);
 /// product with w. Where the hull misses the origin, that point has positive products with all vectors, and the least
 /// one is greater than for all other directions. What is found is near it; nothing if the origin seems to be inside.
 /// @cost  some ten calls of least()
-/// Source: E. G. Gilbert, D. W. Johnson, S. S. Keerthi, A fast procedure for computing the distance between complex
-/// objects in three-dimensional space, IEEE J. Robotics and Automation 4 (1988), 193-203
+/// Source: [GJK88]
 std::optional<PlainVector> nearest_of_hull(
     const std::function<PlainVector(const PlainVector& w)>& least);
 

@@ -2,11 +2,11 @@
 #include "solids/polyhedron/separator.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "robust/base/fp_state.h"
+#include "solids/polyhedron/nearest_simplex.h"
 
 namespace veritope {
 namespace {
@@ -16,97 +16,13 @@ constexpr int kRounds = 12;
 constexpr double kScale = 0x1p30;  // components of a direction stay below 2^31
 
 Vec3d minus(const Vec3d& a, const Vec3d& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec3d plus_scaled(const Vec3d& a, double t, const Vec3d& d) { return {a.x + t * d.x, a.y + t * d.y, a.z + t * d.z}; }
 double dot(const Vec3d& a, const Vec3d& b) { return formulas::dot3(a.x, a.y, a.z, b.x, b.y, b.z); }
-Vec3d cross(const Vec3d& a, const Vec3d& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 // The unit vector of a heuristic: near the limits of the range the result may be anything.
 Vec3d unit(const Vec3d& a) {
   const double length = std::sqrt(dot(a, a));
   return {a.x / length, a.y / length, a.z / length};
 }
-
-// A simplex of at most four points and its point nearest to the origin. It is a heuristic: nothing relies on its
-// rounding.
-class Simplex {
- public:
-  void add(const Vec3d& p) { at_[size_++] = p; }
-  // Reduces the simplex to the face that holds the nearest point; false if it contains the origin.
-  bool nearest(Vec3d& out) {
-    switch (size_) {
-      case 1: out = at_[0]; return true;
-      case 2: out = on_edge(0, 1); break;
-      case 3: out = on_triangle(0, 1, 2); break;
-      default:
-        if (!on_tetrahedron(out)) return false;
-    }
-    keep();
-    return true;
-  }
-
- private:
-  Vec3d on_edge(int i, int j) {
-    const Vec3d d = minus(at_[j], at_[i]);
-    const double len = dot(d, d), t = len > 0 ? std::clamp(-dot(at_[i], d) / len, 0.0, 1.0) : 0.0;
-    kept_ = (t < 1 ? 1u << i : 0u) | (t > 0 ? 1u << j : 0u);
-    return plus_scaled(at_[i], t, d);
-  }
-  Vec3d on_triangle(int i, int j, int k) {
-    const Vec3d u = minus(at_[j], at_[i]), v = minus(at_[k], at_[i]), n = cross(u, v);
-    const double nn = dot(n, n);
-    if (nn > 0) {
-      const Vec3d a = minus({0, 0, 0}, at_[i]);
-      const double s = dot(cross(a, v), n) / nn, t = dot(cross(u, a), n) / nn;
-      if (s > 0 && t > 0 && s + t < 1) {
-        kept_ = 1u << i | 1u << j | 1u << k;
-        return plus_scaled(plus_scaled(at_[i], s, u), t, v);
-      }
-    }
-    Vec3d best{};
-    double least = std::numeric_limits<double>::infinity();
-    unsigned kept = 0;
-    for (const auto& e : {std::array{i, j}, std::array{j, k}, std::array{k, i}}) {
-      const Vec3d p = on_edge(e[0], e[1]);
-      if (dot(p, p) < least) {
-        least = dot(p, p);
-        best = p;
-        kept = kept_;
-      }
-    }
-    kept_ = kept;
-    return best;
-  }
-  bool on_tetrahedron(Vec3d& out) {
-    double least = std::numeric_limits<double>::infinity();
-    unsigned kept = 0;
-    for (const auto& f : {std::array{0, 1, 2, 3}, std::array{0, 1, 3, 2}, std::array{0, 2, 3, 1},
-                          std::array{1, 2, 3, 0}}) {
-      const Vec3d n = cross(minus(at_[f[1]], at_[f[0]]), minus(at_[f[2]], at_[f[0]]));
-      const double origin = -dot(n, at_[f[0]]), fourth = dot(n, minus(at_[f[3]], at_[f[0]]));
-      if (origin * fourth > 0) continue;  // the origin is on the inner side of this face
-      const Vec3d p = on_triangle(f[0], f[1], f[2]);
-      if (dot(p, p) < least) {
-        least = dot(p, p);
-        out = p;
-        kept = kept_;
-      }
-    }
-    kept_ = kept;
-    return kept != 0;
-  }
-  void keep() {
-    int n = 0;
-    for (int i = 0; i < size_; ++i)
-      if ((kept_ >> i & 1u) != 0) at_[n++] = at_[i];
-    size_ = n;
-  }
-
-  std::array<Vec3d, 4> at_{};
-  int size_ = 0;
-  unsigned kept_ = 0;
-};
 
 const Vec3d& farthest(const std::vector<Vec3d>& points, const Vec3d& d) {
   std::size_t best = 0;
@@ -211,7 +127,7 @@ std::optional<IntVec3> SeparatorFinder::find(std::span<const std::uint32_t> a, s
 // Searches for the point of the hulls' difference nearest to the origin.
 std::optional<IntVec3> SeparatorFinder::find_apart(std::span<const std::uint32_t> a,
                                                    std::span<const std::uint32_t> b) {
-  Simplex simplex;
+  internal::NearestSimplex simplex;
   Vec3d nearest = minus(sample_b_[0], sample_a_[0]);
   for (int round = 0; round < kRounds; ++round) {
     const Vec3d away{-nearest.x, -nearest.y, -nearest.z};
@@ -236,7 +152,7 @@ std::optional<IntVec3> SeparatorFinder::find_at_common(std::span<const std::uint
   for (const Vec3d& p : sample_a_)
     if (!(p == centre)) rays.push_back(unit(minus(centre, p)));
   if (rays.empty()) return std::nullopt;
-  Simplex simplex;
+  internal::NearestSimplex simplex;
   Vec3d nearest = rays[0];
   for (int round = 0; round < kRounds; ++round) {
     const Vec3d w = farthest(rays, {-nearest.x, -nearest.y, -nearest.z});

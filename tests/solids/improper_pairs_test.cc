@@ -16,10 +16,9 @@ namespace veritope {
 namespace {
 
 // With `as_copies`, faces of equal vertices are one facet with a number of copies. The pairs are ordered.
-ImproperPairs find_pairs(const TriangleMesh& mesh, std::size_t max_listed = 100000,
-                         unsigned jobs = 1, bool as_copies = false) {
-  const Incidence incidence =
-      Incidence::build(mesh.faces, static_cast<std::uint32_t>(mesh.positions.size()), 1);
+ImproperPairs find_pairs(const TriangleMesh& mesh, std::size_t max_listed = 100000, unsigned jobs = 1,
+                         bool as_copies = false) {
+  const Incidence incidence = Incidence::build(mesh.faces, static_cast<std::uint32_t>(mesh.positions.size()), 1);
   const SurfaceTopology topology = analyse_surface(mesh.faces, incidence, 0, 1);
   const FacetSigns signs = facet_signs(mesh, 1);
   const VertexStars stars = find_vertex_stars(mesh, incidence, signs, topology.irregular, 1);
@@ -45,11 +44,9 @@ ImproperPairs find_pairs(const TriangleMesh& mesh, std::size_t max_listed = 1000
 std::string first_difference(std::vector<FacetPair> got, const std::vector<FacetPair>& want) {
   std::sort(got.begin(), got.end());
   for (const auto& p : got)
-    if (!std::binary_search(want.begin(), want.end(), p))
-      return "not improper: " + std::to_string(p.first) + ", " + std::to_string(p.second);
+    if (!std::binary_search(want.begin(), want.end(), p)) return "not improper: " + std::to_string(p.first) + ", " + std::to_string(p.second);
   for (const auto& p : want)
-    if (!std::binary_search(got.begin(), got.end(), p))
-      return "missed: " + std::to_string(p.first) + ", " + std::to_string(p.second);
+    if (!std::binary_search(got.begin(), got.end(), p)) return "missed: " + std::to_string(p.first) + ", " + std::to_string(p.second);
   return "";
 }
 
@@ -79,19 +76,18 @@ TEST(ImproperPairs, OfNothingAreNone) {
 
 TEST(ImproperPairs, EveryKindOfContact) {
   for (const auto& [text, count] : std::vector<std::pair<const char*, std::uint64_t>>{
-           {"tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,-1 1,1,1 2,1,1", 1},    // crossing
-           {"tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,0 1,1,1 2,1,1", 1},     // a corner on a facet
-           {"tri 0,0,0 4,0,0 0,4,0 ; tri 2,0,0 2,-1,0 3,-1,1", 1},   // a corner on an edge
-           {"tri 0,0,0 4,0,0 0,4,0 ; tri 2,-1,-1 2,1,1 2,-1,2", 1},  // edge through edge
-           {"tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,0 2,1,0 1,2,0", 1},     // inside, in one plane
-           {"tri 0,0,0 4,0,0 0,4,0 ; tri 4,0,0 8,0,0 8,1,0", 0},     // a common vertex
-           {"tri 0,0,0 4,0,0 0,4,0 ; tri 0,0,0 1,1,0 1,1,1", 1},     // a common vertex and more
-           {"tri 0,0,0 4,0,0 0,4,0 ; tri 4,0,0 0,0,0 0,-4,0", 0},    // a common edge, flat
-           {"tri 0,0,0 4,0,0 0,4,0 ; tri 4,0,0 0,0,0 0,0,4", 0},     // a common edge, folded
-           {"tri 0,0,0 4,0,0 0,4,0 ; tri 0,0,0 4,0,0 1,1,0", 1},     // a common edge, folded over
-           {"tri 0,0,0 4,0,0 0,4,0 ; tri 4,0,0 0,0,0 0,4,0", 1},     // the same vertices
-           {"v 0,0,0 4,0,0 0,4,0 0,0,0 -1,0,0 0,-1,1 ; f 0,1,2 3,4,5",
-            1},  // equal coordinates, two vertices
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,-1 1,1,1 2,1,1", 1},        // crossing
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,0 1,1,1 2,1,1", 1},         // a corner on a facet
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 2,0,0 2,-1,0 3,-1,1", 1},       // a corner on an edge
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 2,-1,-1 2,1,1 2,-1,2", 1},      // edge through edge
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 1,1,0 2,1,0 1,2,0", 1},         // inside, in one plane
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 4,0,0 8,0,0 8,1,0", 0},         // a common vertex
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 0,0,0 1,1,0 1,1,1", 1},         // a common vertex and more
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 4,0,0 0,0,0 0,-4,0", 0},        // a common edge, flat
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 4,0,0 0,0,0 0,0,4", 0},         // a common edge, folded
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 0,0,0 4,0,0 1,1,0", 1},         // a common edge, folded over
+           {"tri 0,0,0 4,0,0 0,4,0 ; tri 4,0,0 0,0,0 0,4,0", 1},         // the same vertices
+           {"v 0,0,0 4,0,0 0,4,0 0,0,0 -1,0,0 0,-1,1 ; f 0,1,2 3,4,5", 1},  // equal coordinates, two vertices
            {"tri 0,0,0 4,0,0 0,4,0 ; tri 0,0,1 4,0,1 0,4,1", 0}})
     EXPECT_EQ(expect_exact(shapes::parse(text)).count, count) << text;
 }
@@ -104,8 +100,7 @@ TEST(ImproperPairsLaw, OfCopiesAreThoseOfTheFacesOneByOne) {
     const std::size_t before = mesh.faces.size();
     for (std::uint64_t k = random.below(20); k > 0; --k) {
       auto copy = mesh.faces[random.below(before)];
-      std::rotate(copy.begin(), copy.begin() + static_cast<std::ptrdiff_t>(random.below(3)),
-                  copy.end());
+      std::rotate(copy.begin(), copy.begin() + static_cast<std::ptrdiff_t>(random.below(3)), copy.end());
       if (random.below(2) == 0) std::swap(copy[0], copy[1]);
       mesh.faces.push_back(copy);
     }
@@ -140,8 +135,7 @@ TEST(ImproperPairsLaw, OfCopiesAreThoseOfTheFacesOneByOne) {
 TEST(ImproperPairsLaw, AreExactOnGridSoups) {
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(scaled(60)); ++seed) {
     Random random(seed);
-    expect_exact(shapes::grid_soup(random, static_cast<int>(2 + random.below(25)),
-                                   static_cast<int>(2 + random.below(3))));
+    expect_exact(shapes::grid_soup(random, static_cast<int>(2 + random.below(25)), static_cast<int>(2 + random.below(3))));
     expect_exact(shapes::random_indexed(random, 12, 9, 3));  // equal coordinates under two ids
     if (HasFailure()) return;
   }
@@ -167,10 +161,8 @@ TEST(ImproperPairsLaw, BothWalksAreExact) {
   bool thin = false, ordinary = false;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(scaled(3)); ++seed) {
     Random random(seed);
-    for (const TriangleMesh& mesh :
-         {shapes::needle_soup(random, 70), shapes::needle_soup(random, 20),
-          shapes::grid_soup(random, 60, 3),
-          shapes::joined(shapes::needle_soup(random, 64), shapes::hyperboloid(12, 3))}) {
+    for (const TriangleMesh& mesh : {shapes::needle_soup(random, 70), shapes::needle_soup(random, 20), shapes::grid_soup(random, 60, 3),
+                                     shapes::joined(shapes::needle_soup(random, 64), shapes::hyperboloid(12, 3))}) {
       const ImproperPairs p = expect_exact(mesh);
       (p.long_thin ? thin : ordinary) = true;
     }
@@ -182,9 +174,8 @@ TEST(ImproperPairsLaw, BothWalksAreExact) {
 
 TEST(ImproperPairsLaw, LongThinValidModelsHaveNone) {
   using shapes::Cap;
-  for (const TriangleMesh& mesh :
-       {shapes::tilted_cylinder(200, Cap::kCentreFan), shapes::tilted_cylinder(200, Cap::kRimFan),
-        shapes::tilted_cylinder(200, Cap::kZigzag), shapes::hyperboloid(300, 90)}) {
+  for (const TriangleMesh& mesh : {shapes::tilted_cylinder(200, Cap::kCentreFan), shapes::tilted_cylinder(200, Cap::kRimFan),
+                                   shapes::tilted_cylinder(200, Cap::kZigzag), shapes::hyperboloid(300, 90)}) {
     const ImproperPairs p = find_pairs(mesh);
     EXPECT_EQ(p.count, 0u);
     EXPECT_TRUE(p.long_thin) << mesh.faces.size();

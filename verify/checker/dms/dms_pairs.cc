@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
 // dms_pairs.cc: U1 to U7 of docs/certificates/dms-solid-2.md.
+#include <iterator>
+
 #include "dms_pieces.h"
 #include "dms_reach.h"
 
@@ -32,7 +34,7 @@ struct DmsPairs {
       : model(m), body(b), units(u), reach(m, u) {}
 
   // U1, U2
-  void check_block(size_t number) {
+  void check_block(size_t number, const DmsBoxes& face_boxes) {
     const DmsBlock& block = body.blocks[number];
     std::vector<const DmsPoint*> corners;
     std::vector<DmsPlane> planes;
@@ -47,7 +49,7 @@ struct DmsPairs {
       planes.push_back(DmsPlane::of(&block.planes[i]));
     DmsSides sides(corners, planes, true);
     units->id = "U1";
-    for (uint32_t f : face_boxes->near(DmsBox(corners))) {
+    for (uint32_t f : face_boxes.near(DmsBox(corners))) {
       units->add(1);
       DmsMask mask = sides.all();
       const DmsPoint* q[3];
@@ -65,17 +67,15 @@ struct DmsPairs {
       require(dms_is_positive(r, reach.matrices.of(term)), "U2", "R G is not positive, in block",
               number);
   }
-  std::unique_ptr<DmsBoxes> face_boxes;
-  std::vector<DmsBox> boxes_of_faces;
 
   void check_blocks() {
+    std::vector<DmsBox> boxes;
     for (const DmsFace& face : model.faces) {
-      DmsBox box;
-      for (uint32_t v : face.vertex) box.add(model.place(v));
-      boxes_of_faces.push_back(box);
+      boxes.push_back(DmsBox());
+      for (uint32_t v : face.vertex) boxes.back().add(model.place(v));
     }
-    face_boxes.reset(new DmsBoxes(boxes_of_faces));
-    for (size_t b = 0; b < body.blocks.size(); ++b) check_block(b);
+    const DmsBoxes face_boxes(boxes);
+    for (size_t b = 0; b < body.blocks.size(); ++b) check_block(b, face_boxes);
   }
   void check_faces() {
     for (size_t f = 0; f < model.faces.size(); ++f) {

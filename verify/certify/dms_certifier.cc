@@ -38,7 +38,7 @@ constexpr std::size_t kMaxCertifiedBits = 256, kMaxPointBytes = 128;
 constexpr std::size_t kTilesBeforePairs = 500;
 // After a proof by pairs, tiles give the volume if they are no more.
 constexpr std::size_t kTilesForVolume = 2000;
-constexpr double kVolumeTolerance = 1e-5;  // only rational patches use it, and these are none
+constexpr double kVolumeTolerance = 1e-5;  // for rational patches; these are polynomial
 
 std::string text_of(const DmsPoint& p) {
   return "(" + p[0].to_string() + ", " + p[1].to_string() + ", " + p[2].to_string() + ")";

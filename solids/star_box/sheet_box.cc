@@ -71,8 +71,10 @@ bool find_sheet_pieces(PieceForest& forest, const SheetBox& box, std::size_t mos
   pieces->held.clear();
   pieces->num_visited = 0;
   std::size_t num_tested = 0;
-  const Box3d around = box.frame.around(box.box);
-  return descend_to(forest, around, 16 * most, [&](Id id) {
+  // Only what the frame shows may be dropped: a plane across an axis may part a piece from the box that no plane of the
+  // frame does, and the checker would have to split it.
+  const auto meets_box = [&](const Box3d& b) { return meets(box.frame.in_frame(b), box.box); };
+  return descend_where(forest, meets_box, 16 * most, [&](Id id) {
     ++pieces->num_visited;
     const auto hull = hull_that_meets(forest, id, box.frame, box.box);
     if (!hull) return PieceStep::kTaken;  // dropped

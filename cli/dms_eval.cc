@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // veritope dms eval.
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <memory>
@@ -108,6 +109,7 @@ class DmsEvalRun {
     }
   }
 
+  // A FastDms has the greatest number, with an infinite bound, in the place of one beyond binary64.
   void evaluate_fast(FastDms& fast, const PointBatch& batch,
                      std::vector<DmsPointReport>& points) const {
     const std::size_t n = batch.size(), k = fast.num_components();
@@ -122,7 +124,8 @@ class DmsEvalRun {
       if (tetrahedron[i] != FastDms::kNoTetrahedron) {
         set_tetrahedron(tetrahedron[i], point);
         for (std::size_t c = i * k; c < (i + 1) * k; ++c) {
-          point.number.push_back(value[c]);
+          point.number.push_back(std::isinf(bound[c]) ? std::copysign(bound[c], value[c])
+                                                      : value[c]);
           if (options_.json) add_bounds(value[c], bound[c], point.lo, point.hi);
         }
         for (std::size_t c = 3 * i * k; options_.with_gradient && c < 3 * (i + 1) * k; c += 3) {

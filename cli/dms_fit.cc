@@ -225,7 +225,8 @@ RunCommand declare_dms_fit(OptionSet& set) {
   set.flag("--auto", o->is_auto, "make the domain from DATA");
   set.number("--degree", o->degree, {1, kMaxDmsDegree}, "the degree, 1 to 9");
   set.length("--tolerance", "E", o->fit.tolerance,
-             "cut tetrahedra until the mean square error of each\nattribute is at most E");
+             "cut tetrahedra until the mean square error of each\nattribute is at most E",
+             "a mean square error");
   set.number("--max-tetrahedra", o->max_tetrahedra, {1, kMost32 >> 3},
              "cut until there are N (5000 with a tolerance, else none)");
   set.option(

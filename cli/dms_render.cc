@@ -48,9 +48,11 @@ Result<DmsDrawing> volume_of(const DmsField& field, const DmsRenderOptions& opti
 
 Result<DmsDrawing> slice_of(const DmsField& field, const DmsRenderOptions& options,
                             const PictureOptions& look) {
-  const DmsSlicePlane cut = options.plane ? *options.plane : middle_cut(field.box(), look.view);
+  const Result<DmsSlicePlane> cut =
+      options.plane ? *options.plane : middle_cut(field.box(), look.view);
+  if (!cut) return cut.error();
   const Result<DmsSlicePicture> picture =
-      draw_dms_slice(field, cut, look, {options.range, options.isolines.value_or(0)});
+      draw_dms_slice(field, *cut, look, {options.range, options.isolines.value_or(0)});
   if (!picture) return picture.error();
   DmsDrawing out;
   out.view.bytes = png_bytes(picture->image);

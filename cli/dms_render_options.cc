@@ -166,7 +166,8 @@ void declare_dms_render(OptionSet& set, DmsRenderOptions& o) {
   set.option(
       "--range", "LO,HI", [&o](const std::string& t) { return take_range(t, o.range); },
       "slice: the values of the first and the last colour");
-  set.length("--absorption", "K", o.absorption, "xray: integrals are multiplied with it");
+  set.length("--absorption", "K", o.absorption, "xray: integrals are multiplied with it",
+             "a factor");
   set.length("--step", "H", o.step, "volume: the distance of samples");
   set.number("--isolines", o.isolines, {0, 1000}, "slice: the number of isolines");
   for (const Given& given : given_options(o)) set.hide(given.name);
@@ -187,7 +188,10 @@ std::string dms_render_contradiction(const DmsRenderOptions& options) {
     if (given.name == std::string("--space"))
       return "--space: pictures of mode " + mode_name(*options.mode) +
              " are of the domain, in which alone rays have integrals";
-    return std::string(given.name) + (options.mode ? " is not for this mode" : " needs --mode");
+    if (options.mode) return std::string(given.name) + " is not for this mode";
+    // Without --mode colours of the boundary have a range.
+    const bool is_range = given.name == std::string("--range");
+    return std::string(given.name) + (is_range ? " needs --attribute" : " needs --mode");
   }
   if (options.mode == DmsMode::kIso && !options.level)
     return "--level C is required with --mode iso, the value of the attribute";

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -9,6 +11,7 @@
 #include "report/decimal_text.h"
 #include "report/text_style.h"
 #include "solids/dms/dms_iso.h"
+#include "solids/dms/dms_similarity.h"
 
 namespace veritope::cli {
 namespace {
@@ -91,11 +94,25 @@ Result<DmsDrawing> boundary_of(const DmsModel& model, const DmsRenderOptions& op
   return out;
 }
 
-// 1/12 of the diagonal of the domain's box.
+// 1/12 of the diagonal of the domain's box, up to rounding. A power of two brings its sides near 1, so that domains
+// beyond binary64 have one, too.
 Rational default_width(const DmsModel& model) {
-  const Box3d box = domain_box(model);
-  return Rational::from_double(
-      std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]) / 12);
+  const DmsPoint& first = model.clouds[model.tetrahedra[0][0]][0];
+  DmsPoint low = first, high = first;
+  for (const TetrahedronCorners& tetrahedron : model.tetrahedra)
+    for (const std::uint32_t vertex : tetrahedron)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Rational& x = model.clouds[vertex][0][k];
+        low[k] = std::min(low[k], x);
+        high[k] = std::max(high[k], x);
+      }
+  const DmsPoint side = difference(high, low);
+  const std::int64_t exponent = exponent_of(std::max({side[0], side[1], side[2]}));
+  std::array<double, 3> near;
+  for (std::size_t k = 0; k < 3; ++k)
+    near[k] = nearest_double(Rational::power_of_two(-exponent) * side[k]);
+  return Rational::power_of_two(exponent) *
+         Rational::from_double(std::hypot(near[0], near[1], near[2]) / 12);
 }
 
 Result<DmsIso> iso_of(const DmsModel& model, std::size_t component,
@@ -104,6 +121,7 @@ Result<DmsIso> iso_of(const DmsModel& model, std::size_t component,
   how.attribute = component - 3;
   how.level = *options.level;
   how.max_cells = 10'000;
+  how.keeps_places = true;
   how.within = options.within ? *options.within : default_width(model);
   return find_dms_iso(model, how);
 }
@@ -124,7 +142,7 @@ Result<DmsDrawing> level_of(const DmsModel& model, const DmsRenderOptions& optio
   if (!iso->certified)
     out.doubt = "the topology of the surface is not certified: " +
                 counted(iso->num_undecided, "cell is", "cells are") + " in doubt";
-  Result<SceneSurface> surface = view_of_iso(model, *component, iso->mesh, in_solid);
+  Result<SceneSurface> surface = view_of_iso(model, *component, *iso, in_solid);
   if (!surface) return surface.error();
   Scene scene;
   scene.surfaces.push_back(std::move(*surface));

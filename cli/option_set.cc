@@ -10,6 +10,7 @@
 
 #include "cli/did_you_mean.h"
 #include "cli/output.h"
+#include "io/base/exact_number.h"
 
 namespace veritope::cli {
 namespace {
@@ -28,9 +29,8 @@ CLI::Option* add(CLI::App* command, const std::string& name, const std::string& 
   return command->add_option_function<std::string>(name, check, help);
 }
 
-template <typename Number>
-std::optional<Number> whole_text(const std::string& text) {
-  Number value = 0;
+std::optional<std::uint64_t> whole_number(const std::string& text) {
+  std::uint64_t value = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end) return std::nullopt;
@@ -153,7 +153,7 @@ void OptionSet::output(const std::string& name, std::optional<std::string>& targ
 void OptionSet::add_number(const std::string& name, NumberRange range, const std::string& help,
                            std::function<void(std::uint64_t)> store) {
   const auto take = [range, store = std::move(store)](const std::string& text) -> std::string {
-    const auto value = whole_text<std::uint64_t>(text);
+    const auto value = whole_number(text);
     if (!value || *value < range.least || *value > range.most)
       return "must be a number from " + std::to_string(range.least) + " to " +
              (range.most == kMost64 ? "2^64 - 1" : std::to_string(range.most)) + ", not " + text +
@@ -166,13 +166,16 @@ void OptionSet::add_number(const std::string& name, NumberRange range, const std
 }
 
 void OptionSet::add_length(const std::string& name, const std::string& type,
-                           const std::string& help, std::function<void(double)> store) {
-  const auto take = [store = std::move(store)](const std::string& text) -> std::string {
-    const auto value = whole_text<double>(text);
-    if (!value || !(*value >= 1e-300 && *value <= 1e300))
-      return "must be a length from 1e-300 to 1e300, not " + text +
+                           const std::string& help, const std::string& what,
+                           std::function<void(double)> store) {
+  const auto take = [what, store = std::move(store)](const std::string& text) -> std::string {
+    Rational exact;
+    const bool is_number = read_exact_number(text, {}, exact) == DecimalFault::kNone;
+    const double value = is_number ? nearest_double(exact) : 0;
+    if (!(value >= 1e-300 && value <= 1e300))
+      return "must be " + what + " from 1e-300 to 1e300, not " + text +
              (has_comma(text) ? " (a decimal comma?)" : "");
-    store(*value);
+    store(value);
     return "";
   };
   option(name, type, take, help);

@@ -59,12 +59,12 @@ class OptionSet {
     add_number(name, range, help,
                [&target](std::uint64_t value) { target = static_cast<T>(value); });
   }
-  /// Accepts a decimal number from 1e-300 to 1e300, so that products stay finite after a few
-  /// roundings.
+  /// Accepts a decimal, a fraction or a hexadecimal number, and rounds it to the nearest binary64 number, which is from
+  /// 1e-300 to 1e300, so that products stay finite after a few roundings. Messages call it `what`.
   template <typename T>
-  void length(const std::string& name, const std::string& type, T& target,
-              const std::string& help) {
-    add_length(name, type, help, [&target](double value) { target = value; });
+  void length(const std::string& name, const std::string& type, T& target, const std::string& help,
+              const std::string& what = "a length") {
+    add_length(name, type, help, what, [&target](double value) { target = value; });
   }
   /// Accepts whatever `take` accepts; the help shows `type` for the value.
   void option(const std::string& name, const std::string& type, TakeText take,
@@ -100,7 +100,7 @@ class OptionSet {
   void add_number(const std::string& name, NumberRange range, const std::string& help,
                   std::function<void(std::uint64_t)> store);
   void add_length(const std::string& name, const std::string& type, const std::string& help,
-                  std::function<void(double)> store);
+                  const std::string& what, std::function<void(double)> store);
   std::string contradiction() const;
 
   CLI::App* command_;

@@ -14,16 +14,19 @@ namespace {
 
 using internal::ParallelView;
 
+Error wrong_box() {
+  return {Code::kOverLimit,
+          {},
+          "the domain has coordinates beyond binary64, or its longest side is not between "
+          "2^-900 and 2^900"};
+}
+
 Status check_rays(const Box3d& box, const PictureOptions& look) {
   if (Status status = check_picture_options(look); !status) return status;
   if (look.width * look.height > kMostDmsPixels)
     return bad_argument("a picture of a domain has at most 16777216 pixels, not " +
                         std::to_string(look.width * look.height));
-  if (internal::is_viewable(box)) return ok_status();
-  return Error{Code::kOverLimit,
-               {},
-               "the domain has coordinates beyond binary64, or its longest side is not between "
-               "2^-900 and 2^900"};
+  return internal::is_viewable(box) ? ok_status() : wrong_box();
 }
 
 // The heights of the corners of a box, from the least to the greatest.
@@ -115,7 +118,8 @@ Result<DmsRayGrid> points_of_picture(const Box3d& box, const DmsSlicePlane& cut,
   return grid;
 }
 
-DmsSlicePlane middle_cut(const Box3d& box, const Point3d& view) {
+Result<DmsSlicePlane> middle_cut(const Box3d& box, const Point3d& view) {
+  if (!is_finite(box)) return wrong_box();
   DmsSlicePlane cut;
   const DmsPoint lo = exact_point(box.lo), hi = exact_point(box.hi), direction = exact_point(view);
   DmsPoint middle;

@@ -37,6 +37,7 @@ Result<DmsRayGrid> points_of_picture(const Box3d& box, const DmsSlicePlane& cut,
                                      const PictureOptions& look);
 
 /// The plane through the middle of a box across the direction of view, toward the viewer.
-DmsSlicePlane middle_cut(const Box3d& box, const Point3d& view);
+/// @error kOverLimit for a box that is not finite
+Result<DmsSlicePlane> middle_cut(const Box3d& box, const Point3d& view);
 
 }  // namespace veritope

@@ -10,9 +10,9 @@
 
 #include "render/scene.h"
 #include "robust/base/result.h"
+#include "solids/dms/dms_iso.h"
 #include "solids/dms/dms_model.h"
 #include "solids/dms/dms_surface.h"
-#include "solids/polyhedron/triangle_mesh.h"
 
 namespace veritope {
 
@@ -36,11 +36,11 @@ struct DmsSurfaceView {
 Result<DmsSurfaceView> view_of_boundary(const std::vector<DmsBoundaryPiece>& pieces,
                                         const DmsSurfaceOptions& options);
 
-/// The mesh of find_dms_iso in the domain, or its image, with normals from the gradient of the component. Points on the
-/// boundary of the domain that rounding moves outside are moved by a millionth into their triangle.
-/// REQUIRES a model without defects, component < model.num_components(), and the mesh in the domain.
-/// @error kNotFinite for points beyond binary64
-Result<SceneSurface> view_of_iso(const DmsModel& model, std::size_t component,
-                                 const TriangleMesh& mesh, bool in_solid);
+/// The mesh of find_dms_iso in the domain, or its image, with normals from the gradient of the component. A vertex that
+/// rounding moves outside of the domain has the image and the normal of its exact place.
+/// REQUIRES a model without defects, component < model.num_components(), and an `iso` in the domain that has places.
+/// @error kNotFinite for images beyond binary64
+Result<SceneSurface> view_of_iso(const DmsModel& model, std::size_t component, const DmsIso& iso,
+                                 bool in_solid);
 
 }  // namespace veritope

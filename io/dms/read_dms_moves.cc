@@ -130,10 +130,11 @@ bool DmsMoveReader::read_kind(Draft& draft) {
 }
 
 bool DmsMoveReader::read_part(const std::string& key, Draft& draft) {
-  const auto naturals = [&](const char* what, std::size_t count, std::uint64_t most, auto take) {
+  const auto naturals = [&](const char* what, std::size_t count, std::uint64_t most, auto take,
+                            std::uint64_t least = 0) {
     return read_counted(what, count, [&](std::size_t) {
       std::uint64_t n = 0;
-      return read_natural(what, most, n) && (take(n), true);
+      return read_natural(what, most, n, least) && (take(n), true);
     });
   };
   const auto into = [](std::vector<std::uint32_t>& list) {
@@ -154,12 +155,13 @@ bool DmsMoveReader::read_part(const std::string& key, Draft& draft) {
                                              : read_point(draft.amount);
   if (key == "box")
     return read_counted("a box", 2, [&](std::size_t i) { return read_point(draft.box[i]); });
-  if (key == "degree" || key == "counts") {
-    auto& of = key == "degree" ? draft.degree : draft.counts;
-    std::size_t a = 0;
-    return naturals(key == "degree" ? "the degree of a lattice" : "the counts of a lattice", 3,
-                    kMaxNodesOfAxis, [&](std::uint64_t n) { of.at(a++) = n; });
-  }
+  const auto along_axes = [](std::array<std::uint64_t, 3>& numbers) {
+    return [&numbers, a = std::size_t{0}](std::uint64_t n) mutable { numbers.at(a++) = n; };
+  };
+  if (key == "degree")
+    return naturals("the degree of a lattice", 3, kMaxDmsDegree, along_axes(draft.degree), 1);
+  if (key == "counts")
+    return naturals("the counts of a lattice", 3, kMaxNodesOfAxis, along_axes(draft.counts), 2);
   if (key == "nodes") return read_list([&] { return read_node(draft); });
   return read_list([&] {
     return is_within(draft.skeletons.size() + 1, kMaxMoveItems, "skeletons") &&

@@ -40,6 +40,16 @@ class GmshReader {
   bool take_count(const char* what, std::uint64_t& value) {
     return words_.take_integer(what, 0, kAny, value);
   }
+  // The first line of a section of version 4.1: blocks, items, and the least and the greatest number of these.
+  bool take_header(const char* what, std::uint64_t& blocks, std::uint64_t& items) {
+    return take_count("the number of blocks", blocks) && take_count(what, items) &&
+           words_.skip_words(2);
+  }
+  bool agree(const char* items, std::uint64_t announced, std::uint64_t found) {
+    return announced == found ||
+           words_.fail(Code::kSyntax, "the section announces " + std::to_string(announced) + " " +
+                                          items + ", and its blocks have " + std::to_string(found));
+  }
   bool expect(std::string_view word) {
     if (!words_.has_word() || words_.word() != word)
       return words_.fail(words_.has_word() ? Code::kSyntax : Code::kTruncated,
@@ -94,18 +104,19 @@ class GmshReader {
     return true;
   }
   bool new_nodes() {
-    std::uint64_t blocks = 0;
-    if (!take_count("the number of blocks", blocks) || !words_.skip_words(3)) return false;
+    std::uint64_t blocks = 0, announced = 0, found = 0;
+    if (!take_header("the number of nodes", blocks, announced)) return false;
     for (; blocks > 0; --blocks)
-      if (!block_of_nodes()) return false;
-    return true;
+      if (!block_of_nodes(found)) return false;
+    return agree("nodes", announced, found);
   }
-  bool block_of_nodes() {
+  bool block_of_nodes(std::uint64_t& found) {
     std::uint64_t dimension = 0, parametric = 0, count = 0;
     if (!words_.take_integer("the dimension", 0, 3, dimension) || !words_.skip_words(1) ||
         !words_.take_integer("the flag of parameters", 0, 1, parametric) ||
         !take_count("the number of nodes", count))
       return false;
+    found += count;
     std::vector<std::uint64_t> numbers;
     for (std::uint64_t i = 0; i < count; ++i) {
       std::uint64_t number = 0;
@@ -134,16 +145,17 @@ class GmshReader {
     return true;
   }
   bool new_elements() {
-    std::uint64_t blocks = 0;
-    if (!take_count("the number of blocks", blocks) || !words_.skip_words(3)) return false;
+    std::uint64_t blocks = 0, announced = 0, found = 0;
+    if (!take_header("the number of elements", blocks, announced)) return false;
     for (; blocks > 0; --blocks) {
       std::uint64_t type = 0, count = 0;
       if (!words_.skip_words(2) || !take_type(type) || !take_count("the number of elements", count))
         return false;
+      found += count;
       for (; count > 0; --count)
         if (!words_.skip_words(1) || !take_element(type)) return false;
     }
-    return true;
+    return agree("elements", announced, found);
   }
   bool take_type(std::uint64_t& type) {
     if (!words_.take_integer("the type of an element", 1, 140, type)) return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "io/tetrahedra/tetrahedra_builder.h"
 
@@ -46,6 +47,10 @@ class MeditReader {
 
   bool section() {
     const std::string name(words_.word());
+    for (const auto& [unique, is_read] :
+         {std::pair{"Vertices", &has_vertices_}, std::pair{"Tetrahedra", &has_tetrahedra_}})
+      if (name == unique && std::exchange(*is_read, true))
+        return words_.fail(Code::kSyntax, "the file has a second section " + name);
     words_.skip_word();
     std::uint64_t count = 0;
     if (name == "Dimension") return words_.take_integer("the dimension", 3, 3, count);
@@ -88,6 +93,7 @@ class MeditReader {
   Words words_;
   TetrahedraBuilder builder_;
   std::uint64_t num_points_ = 0;
+  bool has_vertices_ = false, has_tetrahedra_ = false;
 };
 
 }  // namespace

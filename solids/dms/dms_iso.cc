@@ -7,6 +7,7 @@
 #include <memory>
 #include <queue>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "solids/dms/dms_evaluator.h"
@@ -61,21 +62,28 @@ class IsoSearch {
 
   // Cuts the longest edges of cells that the surface may cross, until none is too long.
   void narrow() {
-    std::priority_queue<std::pair<double, std::uint32_t>> wide;
+    struct Wide {
+      std::uint32_t cell;
+      internal::IsoEdge edge;
+      bool operator<(const Wide& other) const {
+        return std::tie(edge.squared_length, cell) <
+               std::tie(other.edge.squared_length, other.cell);
+      }
+    };
+    std::priority_queue<Wide> wide;
     std::uint32_t next = 0;
     const auto collect = [&] {
       for (; next < cells_.cells.size(); ++next) {
-        const IsoCell& cell = cells_.cells[next];
-        if (!is_of_interest(next) || !cells_.is_wide(cell)) continue;
-        const auto [i, j] = kDmsEdges[cells_.longest_edge(cell)];
-        wide.emplace(cells_.squared_length(cell.corners[i], cell.corners[j]), next);
+        if (!is_of_interest(next)) continue;
+        internal::IsoEdge longest = cells_.longest_edge(cells_.cells[next]);
+        if (cells_.is_long(longest.squared_length)) wide.push({next, std::move(longest)});
       }
     };
     for (collect(); !wide.empty() && !is_full(); collect()) {
-      const std::uint32_t number = wide.top().second;
+      const std::uint32_t number = wide.top().cell;
+      const std::size_t edge = wide.top().edge.number;
       wide.pop();
-      if (is_of_interest(number))
-        cells_.cut(number, cells_.longest_edge(cells_.cells[number]), Rational(1) / Rational(2));
+      if (is_of_interest(number)) cells_.cut(number, edge, Rational(1) / Rational(2));
     }
   }
 
@@ -230,7 +238,9 @@ Result<DmsIso> find_dms_iso(const DmsModel& model, const DmsIsoOptions& options,
   out.cells = cells->num_alive;
   std::optional<DmsEvaluator> map;
   if (options.in_solid) map.emplace(options.map != nullptr ? *options.map : model);
-  if (const Status status = internal::draw_iso(*cells, map ? &*map : nullptr, out); !status)
+  if (const Status status =
+          internal::draw_iso(*cells, map ? &*map : nullptr, options.keeps_places, out);
+      !status)
     return status.error();
   return out;
 }

@@ -21,6 +21,7 @@ struct DmsIsoOptions {
   bool in_solid = false;          ///< vertices are mapped
   /// What maps them: the model itself if null; that to which an attribute domain belongs.
   const DmsModel* map = nullptr;
+  bool keeps_places = false;  ///< the vertices in the domain, exact, are wanted, too
   std::size_t max_cells = 20'000;
   int max_rounds = 90;  ///< cuts of one cell after another for the proof's sake
 };
@@ -42,6 +43,9 @@ struct DmsIsoCell {
 struct DmsIso {
   /// Triangles turn counterclockwise as seen from where the attribute is less.
   TriangleMesh mesh;
+  /// The points of the closed domain that are the vertices, or whose images they are, before rounding; with
+  /// keeps_places.
+  std::vector<DmsPoint> places;
   /// The level set in the domain is isotopic to the triangles before rounding: `components` and `euler` are its own.
   bool certified = false;
   /// "control-disagrees": the attribute's separate control points of two tetrahedra differ where shared ones would be

@@ -15,12 +15,6 @@ std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
 int sign_as_int(const Rational& x) { return static_cast<int>(x.sign()); }
 Rational thirty_seconds(int k) { return Rational(k) / Rational(32); }
 
-IsoVertex vertex_at(DmsPoint at, int sign) {
-  IsoVertex v{std::move(at), {}, sign};
-  for (std::size_t c = 0; c < 3; ++c) v.near[c] = nearest_double(v.at[c]);
-  return v;
-}
-
 }  // namespace
 
 IsoCells::IsoCells(const DmsModel& model, const DmsIsoOptions& options)
@@ -30,13 +24,14 @@ IsoCells::IsoCells(const DmsModel& model, const DmsIsoOptions& options)
       evaluator_(model),
       interpolation_(model.degree, 4),
       rule_(model.degree),
+      squared_within_(options.within * options.within),
       local_(model, knots_, model.num_coordinates + options.attribute, options.level) {
   std::vector<bool> is_used(model.clouds.size());
   for (const TetrahedronCorners& t : model.tetrahedra)
     for (const std::uint32_t v : t) is_used[v] = true;
   for (std::uint32_t v = 0; v < model.clouds.size(); ++v) {
     const DmsPoint& at = model.knot(v, 0);
-    vertices.push_back(vertex_at(at, is_used[v] ? sign_as_int(value_at(at)) : 0));
+    vertices.push_back({at, is_used[v] ? sign_as_int(value_at(at)) : 0});
   }
   for (std::uint32_t t = 0; t < model.tetrahedra.size(); ++t) {
     IsoCell cell;
@@ -54,31 +49,24 @@ DmsCorners IsoCells::zeros(const IsoCell& cell) const {
   return out;
 }
 
-double IsoCells::squared_length(std::uint32_t a, std::uint32_t b) const {
-  double sum = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double d = vertices[a].near[c] - vertices[b].near[c];
-    sum += d * d;
-  }
-  return sum;
+Rational IsoCells::squared_length(std::uint32_t a, std::uint32_t b) const {
+  const DmsPoint d = difference(vertices[a].at, vertices[b].at);
+  return dot_product(d, d);
 }
 
-std::size_t IsoCells::longest_edge(const IsoCell& cell) const {
-  std::size_t found = 0;
-  double most = -1;
+IsoEdge IsoCells::longest_edge(const IsoCell& cell) const {
+  IsoEdge found;
   for (std::size_t e = 0; e < kDmsEdges.size(); ++e) {
     const auto [i, j] = kDmsEdges[e];
-    const double length = squared_length(cell.corners[i], cell.corners[j]);
-    if (length > most) most = length, found = e;
+    Rational length = squared_length(cell.corners[i], cell.corners[j]);
+    if (length > found.squared_length) found = {e, std::move(length)};
   }
   return found;
 }
 
 bool IsoCells::is_wide(const IsoCell& cell) const {
   return std::any_of(kDmsEdges.begin(), kDmsEdges.end(), [&](const auto& edge) {
-    const DmsPoint d =
-        difference(vertices[cell.corners[edge[0]]].at, vertices[cell.corners[edge[1]]].at);
-    return dot_product(d, d) > options_.within * options_.within;
+    return is_long(squared_length(cell.corners[edge[0]], cell.corners[edge[1]]));
   });
 }
 
@@ -251,7 +239,7 @@ bool IsoCells::cut_at(std::uint32_t a, std::uint32_t b, const Rational& t, bool 
   if (sign == 0) sign = sign_as_int(value_at(at));
   if (sign == 0 && !may_be_zero) return false;
   const auto middle = static_cast<std::uint32_t>(vertices.size());
-  vertices.push_back(vertex_at(std::move(at), sign));
+  vertices.push_back({std::move(at), sign});
   for (Parts& part : parts) {
     const auto [i, j] = kDmsEdges[part.edge];
     IsoCell first = std::move(cells[part.cell]);

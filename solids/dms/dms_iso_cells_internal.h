@@ -21,8 +21,13 @@ namespace veritope::internal {
 
 struct IsoVertex {
   DmsPoint at;
-  std::array<double, 3> near{};  ///< rounded: for lengths that only order cuts
-  int sign = 0;                  ///< of g - c, exactly
+  int sign = 0;  ///< of g - c, exactly
+};
+
+/// An edge of a cell.
+struct IsoEdge {
+  std::size_t number = 0;
+  Rational squared_length;
 };
 
 struct IsoCell {
@@ -57,9 +62,13 @@ class IsoCells {
   std::vector<std::uint32_t> star(std::uint32_t vertex) const;
   /// Cuts an edge at such a vertex, the longest.
   void cut_star(std::uint32_t vertex);
-  std::size_t longest_edge(const IsoCell& cell) const;
-  double squared_length(std::uint32_t a, std::uint32_t b) const;
-  /// Whether the cell has an edge longer than `within`. Exact.
+  /// The first of the longest.
+  IsoEdge longest_edge(const IsoCell& cell) const;
+  /// Exact, so that domains of any size and place are cut alike.
+  Rational squared_length(std::uint32_t a, std::uint32_t b) const;
+  /// Whether an edge of this length is longer than `within`.
+  bool is_long(const Rational& squared_length) const { return squared_length > squared_within_; }
+  /// Whether the cell has such an edge.
   bool is_wide(const IsoCell& cell) const;
   /// g - c at a point. REQUIRES a point of the closed domain.
   Rational value_at(const DmsPoint& point);
@@ -95,6 +104,7 @@ class IsoCells {
   DmsEvaluator evaluator_;
   SimplexInterpolation interpolation_;
   DmsIsoRule rule_;
+  Rational squared_within_;
   DmsIsoLocal local_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> at_edge_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> at_zero_;

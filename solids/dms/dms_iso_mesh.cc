@@ -38,8 +38,8 @@ double root_of(const std::vector<Interval>& b, int sign_at_0) {
 
 class IsoDrawing {
  public:
-  IsoDrawing(IsoCells& cells, DmsEvaluator* map, DmsIso& out)
-      : cells_(cells), map_(map), out_(out) {}
+  IsoDrawing(IsoCells& cells, DmsEvaluator* map, bool keeps_places, DmsIso& out)
+      : cells_(cells), map_(map), keeps_places_(keeps_places), out_(out) {}
 
   Status run() {
     for (const IsoCell& cell : cells_.cells)
@@ -100,6 +100,7 @@ class IsoDrawing {
                                    : found->second);
     DmsPoint at = is_at_vertex ? cells_.vertices[zero].at
                                : cells_.between(a, b, Rational::from_double(root(cell, i, j)));
+    if (keeps_places_) out_.places.push_back(at);
     if (map_ != nullptr) {
       const auto place = map_->locate(at);
       VT_CHECK(place.has_value(), "points of cells are in the domain");
@@ -178,16 +179,19 @@ class IsoDrawing {
     constexpr std::uint32_t kNone = 0xffffffffu;
     std::vector<std::uint32_t> place(welded_.size(), kNone);
     std::vector<Vec3d> positions;
+    std::vector<DmsPoint> places;
     for (auto& f : faces)
       for (std::uint32_t& v : f) {
         if (place[v] == kNone) {
           place[v] = static_cast<std::uint32_t>(positions.size());
           positions.push_back(out_.mesh.positions[v]);
+          if (keeps_places_) places.push_back(std::move(out_.places[v]));
         }
         v = place[v];
       }
     out_.mesh.faces = std::move(faces);
     out_.mesh.positions = std::move(positions);
+    out_.places = std::move(places);
   }
 
   // Components, and the Euler characteristic.
@@ -220,6 +224,7 @@ class IsoDrawing {
 
   IsoCells& cells_;
   DmsEvaluator* map_;
+  bool keeps_places_;
   DmsIso& out_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;
   std::vector<std::uint32_t> welded_;  // of each vertex: itself, or
@@ -230,8 +235,8 @@ class IsoDrawing {
 
 }  // namespace
 
-Status draw_iso(IsoCells& cells, DmsEvaluator* map, DmsIso& out) {
-  return IsoDrawing(cells, map, out).run();
+Status draw_iso(IsoCells& cells, DmsEvaluator* map, bool keeps_places, DmsIso& out) {
+  return IsoDrawing(cells, map, keeps_places, out).run();
 }
 
 }  // namespace veritope::internal

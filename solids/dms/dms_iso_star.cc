@@ -2,6 +2,7 @@
 // Vertices at which g = c: the last part of DMS-4 (docs/THEORY.md).
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "interval/upward.h"
 #include "solids/dms/dms_iso_cells_internal.h"
@@ -93,15 +94,15 @@ bool IsoCells::grows_around(std::uint32_t vertex) const {
 void IsoCells::cut_star(std::uint32_t vertex) {
   std::uint32_t chosen = 0;
   std::size_t edge = 0;
-  double most = -1;
+  Rational most;
   for (const std::uint32_t c : star(vertex))
     for (std::size_t e = 0; e < kDmsEdges.size(); ++e) {
       const auto [i, j] = kDmsEdges[e];
       if (cells[c].corners[i] != vertex && cells[c].corners[j] != vertex) continue;
-      const double length = squared_length(cells[c].corners[i], cells[c].corners[j]);
-      if (length > most) most = length, chosen = c, edge = e;
+      Rational length = squared_length(cells[c].corners[i], cells[c].corners[j]);
+      if (length > most) most = std::move(length), chosen = c, edge = e;
     }
-  if (most > 0) cut(chosen, edge, Rational(1) / Rational(2));
+  if (most.sign() == Sign::kPositive) cut(chosen, edge, Rational(1) / Rational(2));
 }
 
 }  // namespace veritope::internal

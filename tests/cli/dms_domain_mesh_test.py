@@ -163,7 +163,8 @@ class DmsDomainMesh(Folder):
         self.assertTrue(all(m == models[0] for m in models))
         self.assertEqual(only_file(self.folder / "d.vdms")["verdict"], "VALID")
         for text, status, words in ((MEDIT.replace("2 3 5 4 1", "2 3 9 4 1"), 4, "no point"), (MEDIT.replace("0.1", "0"), 1, "tet-reversed"),
-                                    (MEDIT.replace("2 3 5 4 1", "1 2 3 5 1"), 1, "tet-face-overused")):
+                                    (MEDIT.replace("2 3 5 4 1", "1 2 3 5 1"), 1, "tet-face-overused"),
+                                    (MEDIT.replace("End", "Vertices\n1\n0 0 0 1\nEnd"), 4, "line 14: the file has a second section Vertices")):
             (self.folder / "bad.mesh").write_text(text)
             done = run("dms", "domain", "bad.mesh", "-o", "x.vdms", cwd=self.folder)
             self.assertEqual((done.returncode, done.stdout), (status, ""), done)

@@ -206,6 +206,8 @@ class DmsEdit(Folder):
                             ({"move": "knot", "vertex": 4, "knot": 0, "by": point}, "s.json: line 2"), ({"move": "knot", "vertex": 0, "by": point}, "the key 'knot' is missing"),
                             ({**node, "box": [["0"] * 3, ["1", "1", "0"]]}, "must ascend"), ({**node, "degree": [1, 0, 1]}, "degrees from 1 to 9"),
                             ({**node, "degree": [1, 2, 1]}, "more nodes than its degree"), ({**node, "counts": [2, 2]}, "must have 3 items, not 2"),
+                            ({**node, "counts": [65, 2, 2]}, "the counts of a lattice must be an integer from 2 to 64, not '65'"),
+                            ({**node, "degree": [1, 10, 1]}, "the degree of a lattice must be an integer from 1 to 9, not '10'"),
                             ({**node, "nodes": [{"at": [0, 0, 2], "by": point}]}, "number 2 of 2 along axis 2"),
                             ({**node, "nodes": [{"at": [0, 0, 0]}]}, "the key 'by' is missing"),
                             ({"move": "skeleton", "attribute": "density", "skeletons": [], "round": 1001}, "s.json: line 2"),

@@ -86,6 +86,16 @@ class DmsFit(Folder):
             self.assertLessEqual(report["attribute_mse"][0], 1e-18)
             self.assertEqual((report["reached"], report["end"], report["undetermined"]), (True, "tolerance", 0))
 
+    def test_tolerances_are_decimals_fractions_and_hexadecimal_numbers(self):
+        rows = [p + [abs(p[0] - F(1, 4))] for p in points(300, 4)]
+        for text in "0.0009765625", "1/1024", "0x1p-10":
+            report = self.fit(rows, "--degree", "1", "--tolerance", text)
+            self.assertEqual((report["tolerance"], report["reached"]), (2**-10, True))
+        (self.folder / "out.vdms").unlink()
+        for text in "0", "-1/2", "1/0", "1e301", "nan", "x":
+            self.assertIn(f"--tolerance: must be a mean square error from 1e-300 to 1e300, not {text}",
+                          self.refused(text_of(rows), f"--tolerance={text}", status=2))
+
     def test_a_tolerance_that_is_not_reached_is_status_3(self):
         rows = [p + [abs(p[0] - F(1, 4))] for p in points(300, 4)]
         report = self.fit(rows, "--degree", "1", "--tolerance", "1e-12", "--max-tetrahedra", "20", status=3)

@@ -223,9 +223,9 @@ class Surface(DmsPicture):
         (self.folder / "l.obj").write_text(text[:text.index("g boundary")])
         level = triangles_of(self.folder / "l.obj")
         self.assertGreater(len(level), 20)
-        self.assertLess(max(abs(p[2] - 1 / 3) for t in level for p in t), 1e-5)
+        self.assertLess(max(abs(p[2] - 1 / 3) for t in level for p in t), 1e-15)
         area = sum((a[0] * b[1] - a[1] * b[0] + b[0] * c[1] - b[1] * c[0] + c[0] * a[1] - c[1] * a[0]) / 2 for a, b, c in level)
-        self.assertAlmostEqual(abs(area), (2 / 3)**2 / 2, delta=1e-5)
+        self.assertAlmostEqual(abs(area), (2 / 3)**2 / 2, delta=1e-14)
 
     def test_a_level_that_is_not_certified_is_drawn_with_status_3(self):
         self.bent()
@@ -254,6 +254,57 @@ class Page(DmsPicture):
         page = (ROOT / "docs" / "cli" / "render.md").read_text()
         for option in ("--mode", "--attribute", "--absorption", "--transfer", "--step", "--plane", "--range", "--isolines", "--level", "--within", "--space"):
             self.assertIn(f"| `{option} ", page)
+
+
+class Scales(DmsPicture):
+    """Domains that are huge, tiny or far from the origin: right pictures, or status 4 with the reason."""
+    ISO = ("--mode", "iso", "--attribute", "a", "--level", "1/3", "--size", "64,64")
+
+    def tetrahedron(self, side, at="0"):
+        """A linear model, the identity, on which a falls from 1 to 0 along z and to 1/2 along x and y."""
+        at, side = F(at), F(side)
+        places = [[at + side * (m == axis) for axis in (1, 2, 3)] for m in range(4)]
+        points = [list(map(str, p)) for p in places]
+        control = [{"at": [m], "value": p + [a]} for m, (p, a) in enumerate(zip(points, ("1", "1/2", "1/2", "0")))]
+        self.write("t.vdms", {"format": "veritope-dms-1", "degree": 1, "attributes": ["a"], "vertices": [[p] for p in points],
+                              "tetrahedra": [[0, 1, 2, 3]], "control": control})
+
+    def refused(self, *arguments):
+        return " ".join(self.render("t.vdms", "-o", "x.png", *arguments, status=4).split())
+
+    def test_coordinates_beyond_binary64_are_refused_with_the_reason(self):
+        self.tetrahedron("1e400")
+        self.assertIn("the domain has coordinates beyond binary64", self.refused("--mode", "slice", "--attribute", "a"))
+        self.assertIn("a vertex of the surface is beyond binary64", self.refused(*self.ISO))
+        self.assertIn("a vertex of the surface is beyond binary64", self.refused(*self.ISO, "--space", "domain"))
+        self.assertFalse((self.folder / "x.png").exists())
+
+    def test_level_sets_are_drawn_in_domains_of_every_size_in_binary64(self):
+        pictures = []
+        for side in "1", "1e160", "1.7e308", "1e-200", "1e-320":
+            self.tetrahedron(side)
+            for space in "solid", "domain":
+                report, _, _, rows = self.picture(*self.ISO, "--space", space, model="t.vdms")
+                self.assertTrue(report["dms"]["certified"], side)
+                pictures.append(rows)
+        orange = [[[p[0] > p[2] + 60 for p in row] for row in rows] for rows in pictures]
+        self.assertGreater(sum(map(sum, orange[0])), 100)
+        for side, other in enumerate(orange):
+            unlike = sum(a != b for p, q in zip(orange[0], other) for a, b in zip(p, q))
+            self.assertLess(unlike, 10, side)
+
+    def test_vertices_that_rounding_moves_outside_have_the_images_of_their_places(self):
+        self.tetrahedron("1e-14", at="1/3")
+        self.picture(*self.ISO, "--within", "1e-13", model="t.vdms")
+        for space in "solid", "domain":
+            self.render("t.vdms", "-o", "i.obj", *self.ISO[:6], "--space", space)
+            text = (self.folder / "i.obj").read_text()
+            (self.folder / "l.obj").write_text(text[:text.index("g boundary")])
+            level = triangles_of(self.folder / "l.obj")
+            self.assertGreater(len(level), 100)
+            for x, y, z in {p for t in level for p in t}:
+                value = 1 - ((F(x) - F(1, 3)) / 2 + (F(y) - F(1, 3)) / 2 + F(z) - F(1, 3)) / F("1e-14")
+                self.assertLess(abs(value - F(1, 3)), F(1, 20), "a unit in the last place changes it by up to 0.0056")
 
 
 class Common(DmsPicture):
@@ -304,6 +355,13 @@ class Common(DmsPicture):
         self.assertIn("--space: pictures of mode xray are of the domain", " ".join(why.split()))
         self.assertFalse((self.folder / "x.png").exists())
 
+    def test_factors_and_lengths_are_decimals_fractions_and_hexadecimal_numbers(self):
+        for mode, option, key in (("xray", "--absorption", "absorption"), ("volume", "--step", "step")):
+            found = [self.picture("--mode", mode, "--attribute", "density", "--size", "64,64", option, text)[0]["dms"][key]
+                     for text in ("0.125", "1/8", "0x1p-3")]
+            self.assertEqual(found[1:], found[:1] * 2)
+            self.assertAlmostEqual(found[0], 0.125, delta=0.01)
+
     def test_wrong_options_are_named(self):
         (self.folder / "a.off").write_bytes((ROOT / "tests" / "models" / "m3_nearest_valid.off").read_bytes())
         xray = ("--mode", "xray", "--attribute", "density")
@@ -312,6 +370,11 @@ class Common(DmsPicture):
                                  (("m.vdms", *xray, "--plane", "1,0,0,0"), "--plane is not for this mode"),
                                  (("m.vdms", "--mode", "xray", "--attribute", "mass"), "the model has the attributes density"),
                                  (("a.off", *xray), "--mode is for simplex-spline solids, and a.off is none"),
+                                 (("m.vdms", "--range", "0,1"), "--range needs --attribute"),
+                                 (("m.vdms", "--isolines", "3"), "--isolines needs --mode"),
+                                 (("m.vdms", *xray, "--absorption", "0"), "--absorption: must be a factor from 1e-300 to 1e300, not 0"),
+                                 (("m.vdms", *xray, "--absorption", "1/0"), "--absorption: must be a factor from 1e-300 to 1e300, not 1/0"),
+                                 (("m.vdms", "--mode", "volume", "--attribute", "density", "--step", "0x1p-1000"), "--step: must be a length from 1e-300 to 1e300"),
                                  (("m.vdms", *xray, "--grid", 3), "--grid is not for simplex-spline solids"),
                                  (("m.vdms", *xray, "--nets"), "--nets is not for simplex-spline solids"),
                                  (("m.vdms", *xray, "--size", "8192,8192"), "at most 16777216 pixels"),

@@ -103,6 +103,20 @@ TEST(ReadTetrahedra, RefusesWhatIsNotTheFormat) {
   expect_error(gmsh(replaced(kNewGmsh, "$EndNodes", "1 $EndNodes")), Code::kSyntax, "$EndNodes");
 }
 
+TEST(ReadTetrahedra, RefusesCountsThatDifferFromWhatFollows) {
+  for (const std::string count : {"4", "6", "0"})
+    expect_error(gmsh(replaced(kNewGmsh, "2 5 10 50", "2 " + count + " 10 50")), Code::kSyntax,
+                 "the section announces " + count + " nodes, and its blocks have 5");
+  for (const std::string count : {"1", "2", "99999999999"})
+    expect_error(gmsh(replaced(kNewGmsh, "2 3 1 3", "2 " + count + " 1 3")), Code::kSyntax,
+                 "the section announces " + count + " elements, and its blocks have 3");
+  expect_error(gmsh(replaced(kNewGmsh, "2 5 10 50", "2 x 10 50")), Code::kSyntax,
+               "the number of nodes");
+  for (const std::string name : {"Vertices", "Tetrahedra"})
+    expect_error(medit(replaced(kMedit, "End", name + " 0\nEnd")), Code::kSyntax,
+                 "the file has a second section " + name);
+}
+
 TEST(ReadTetrahedra, KeepsToTheLimits) {
   ReadLimits limits;
   limits.max_digits = 1;

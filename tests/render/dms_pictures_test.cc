@@ -2,7 +2,9 @@
 // tests/render/dms_pictures_test.cc: rays, boundaries and level sets of pictures beside exact values.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render/dms_rays.h"
 #include "render/dms_slice_picture.h"
@@ -99,7 +101,10 @@ TEST(DmsRays, PointsLieInPlanesAcrossAxesExactly) {
   EXPECT_EQ(grid->right[2], 0);
   EXPECT_EQ(grid->down[2], 0);
   EXPECT_GT(grid->along[2], 0) << "seen against the vector of the plane";
-  const DmsSlicePlane cut = middle_cut(box, {1, 2, 3});
+  const DmsSlicePlane cut = *middle_cut(box, {1, 2, 3});
+  Box3d beyond = box;
+  beyond.hi[1] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(middle_cut(beyond, {1, 2, 3}).error().code, Code::kOverLimit);
   EXPECT_EQ(cut.number, -(Rational(1) + Rational(1) +
                           Rational(3) * (Rational(1) + Rational::from_double(-0.3)) / Rational(2)));
 }
@@ -159,21 +164,59 @@ TEST(DmsIsoView, NormalsOfAPlaneAreItsOwn) {
   DmsIsoOptions options;
   options.level = Rational(1);
   options.within = Rational(1) / Rational(2);
+  options.keeps_places = true;
   const Result<DmsIso> iso = find_dms_iso(domain, options);
   ASSERT_TRUE(iso.has_value());
   ASSERT_GT(iso->mesh.faces.size(), 4u);
   for (const bool in_solid : {false, true}) {
-    const Result<SceneSurface> surface = view_of_iso(domain, 3, iso->mesh, in_solid);
+    const Result<SceneSurface> surface = view_of_iso(domain, 3, *iso, in_solid);
     ASSERT_TRUE(surface.has_value());
     ASSERT_EQ(surface->normals.size(), surface->points.size());
     for (std::size_t i = 0; i < surface->points.size(); ++i) {
       const Point3d &p = surface->points[i], &n = surface->normals[i];
-      EXPECT_NEAR((in_solid ? p[0] / 2 : p[0]) + 2 * p[1], 1, 1e-5);
+      EXPECT_NEAR((in_solid ? p[0] / 2 : p[0]) + 2 * p[1], 1, 1e-15);
       EXPECT_NEAR(n[1] / n[0], in_solid ? 4 : 2, 1e-9);
       EXPECT_NEAR(n[2], 0, 1e-9);
       EXPECT_GT(n[0], 0);
     }
   }
+}
+
+// A cube of 2^-1000 at (1/3, 1/3, 1/3), where all vertices round to one point outside; the map brings it to the unit
+// cube, or beyond binary64.
+TEST(DmsIsoView, ImagesAreThoseOfPlacesBeforeRounding) {
+  DmsModel domain = kuhn_domain({1, 1, 1});
+  domain.attributes = {"a"};
+  std::vector<Rational> values;
+  for (const DmsCloud& cloud : domain.clouds) values.push_back(cloud[0][0] + cloud[0][1]);
+  set_control_by_rule(domain, DmsControlRule::kGreville, values);
+  const Rational third = Rational(1) / Rational(3), side = Rational::power_of_two(-1000);
+  for (DmsCloud& cloud : domain.clouds)
+    for (Rational& x : cloud[0]) x = third + side * x;
+  DmsIsoOptions options;
+  options.level = Rational(1) / Rational(2);
+  options.within = side / Rational(2);
+  options.keeps_places = true;
+  const Result<DmsIso> iso = find_dms_iso(domain, options);
+  ASSERT_TRUE(iso.has_value());
+  EXPECT_TRUE(iso->certified);
+  ASSERT_EQ(iso->places.size(), iso->mesh.positions.size());
+  const Result<SceneSurface> surface = view_of_iso(domain, 3, *iso, true);
+  ASSERT_TRUE(surface.has_value()) << surface.error().message;
+  double least = 1, most = 0;
+  for (std::size_t i = 0; i < surface->points.size(); ++i) {
+    const Point3d &p = surface->points[i], &n = surface->normals[i];
+    EXPECT_NEAR(p[0] + p[1], 0.5, 1e-15);
+    EXPECT_NEAR(n[1] / n[0], 1, 1e-9);
+    EXPECT_NEAR(n[2], 0, 1e-9);
+    least = std::min(least, p[2]), most = std::max(most, p[2]);
+  }
+  EXPECT_EQ(least, 0);
+  EXPECT_EQ(most, 1);
+  for (std::size_t c = 0; c < domain.num_control(); ++c)
+    domain.control.values[c * domain.num_components()] *= Rational::power_of_two(1100);
+  EXPECT_EQ(view_of_iso(domain, 3, *iso, true).error().code, Code::kNotFinite);
+  EXPECT_TRUE(view_of_iso(domain, 3, *iso, false).has_value());
 }
 
 TEST(DmsPictures, AreTheSameForEveryNumberOfThreads) {
@@ -235,7 +278,7 @@ TEST(DmsPictures, OfSolidsAreThoseOfDomainsThatAreEqualToThem) {
     return out;
   };
   const TransferFunction transfer = default_transfer(in_domain);
-  const DmsSlicePlane cut = middle_cut(in_domain.box(), {1, 2, 3});
+  const DmsSlicePlane cut = *middle_cut(in_domain.box(), {1, 2, 3});
   const auto volume = draw_dms_volume(in_domain, transfer, look, 0.05);
   const auto slice = draw_dms_slice(in_domain, cut, look, {std::array<double, 2>{0, 3}, 5});
   ASSERT_TRUE(volume.has_value()) << volume.error().message;

@@ -230,6 +230,41 @@ TEST(DmsIso, LargeAndSmallAttributes) {
   }
 }
 
+// Lengths whose squares are beyond binary64, and differences of coordinates that it does not show.
+TEST(DmsIso, DomainsOfAnySizeAndPlaceAreCutAlike) {
+  const LevelSet set = draw_level_set(7, LevelSetKind::kSphere, false, false);
+  const Rational within = Rational(1) / Rational(3);
+  const DmsIso iso = find(set, within);
+  expect_topology(set, iso);
+  for (const int exponent : {-1500, -600, -60, 600, 900})
+    for (const bool is_moved : {false, true}) {
+      const Rational scale = Rational::power_of_two(exponent);
+      const Rational by = is_moved ? Rational(1) / Rational(3) : Rational(0);
+      LevelSet other = set;
+      move_dms(other.model, {{{{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}}}, {by, by, by}});
+      const DmsIso same = find(other, scale * within);
+      expect_topology(other, same);
+      EXPECT_EQ(same.cells, iso.cells) << exponent;
+      EXPECT_EQ(same.mesh.faces, iso.mesh.faces) << exponent;
+    }
+}
+
+TEST(DmsIso, PlacesAreTheVerticesBeforeRounding) {
+  const LevelSet set = draw_level_set(7, LevelSetKind::kSphere, false, false);
+  DmsIsoOptions options;
+  options.level = set.level;
+  EXPECT_TRUE(find_dms_iso(set.model, options)->places.empty());
+  options.keeps_places = true;
+  const DmsIso iso = *find_dms_iso(set.model, options);
+  ASSERT_EQ(iso.places.size(), iso.mesh.positions.size());
+  for (std::size_t i = 0; i < iso.places.size(); ++i) {
+    const Vec3d& p = iso.mesh.positions[i];
+    EXPECT_EQ((Point3d{p.x, p.y, p.z}),
+              (Point3d{nearest_double(iso.places[i][0]), nearest_double(iso.places[i][1]),
+                       nearest_double(iso.places[i][2])}));
+  }
+}
+
 // Where no direction of growth is parallel to the faces of the domain, or where there is not any.
 TEST(DmsIso, SingularVerticesAndCornersAreInDoubt) {
   const auto middle = [](const DmsPoint& p) { return from_middle(p, 1); };

@@ -36,7 +36,8 @@ constexpr const char* kDmsFindings[] = {"tet-reversed",
                                         "M7",
                                         "M9",
                                         "meeting",
-                                        "crossing"};
+                                        "crossing",
+                                        "covering"};
 
 [[noreturn]] void fail_dms(const std::string& why) {
   std::fprintf(stderr, "%s\n", why.c_str());

@@ -12,7 +12,7 @@ namespace veritope {
 namespace {
 
 using Corners = std::array<DmsPoint, 4>;
-using Edge = std::array<std::uint32_t, 2>;
+using CellEdge = std::array<std::uint32_t, 2>;
 
 // A convex polygon of a cell: its corners in order, no three of them on one line.
 struct Facet {
@@ -34,7 +34,7 @@ Cell cell_of(const Corners& corners) {
   return out;
 }
 
-Edge edge_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+CellEdge cell_edge(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 // One polygon of all these edges. REQUIRES that they are one.
 std::vector<std::uint32_t> loop_of(
@@ -74,7 +74,7 @@ class HalfCell {
 
  private:
   int sign(std::uint32_t corner) const { return side_ * static_cast<int>(heights_[corner].sign()); }
-  std::uint32_t number(const Edge& edge) {
+  std::uint32_t number(const CellEdge& edge) {
     const auto [at, is_new] =
         numbers_.try_emplace(edge, static_cast<std::uint32_t>(out_.corners.size()));
     if (!is_new) return at->second;
@@ -95,10 +95,10 @@ class HalfCell {
       if (sign(a) >= 0) kept.corners.push_back(number({a, a}));
       if (sign(a) == 0) in_plane.push_back(kept.corners.back());
       if (sign(a) * sign(b) >= 0) continue;
-      kept.corners.push_back(number(edge_of(a, b)));
+      kept.corners.push_back(number(cell_edge(a, b)));
       in_plane.push_back(kept.corners.back());
     }
-    if (in_plane.size() == 2) section_.insert(edge_of(in_plane[0], in_plane[1]));
+    if (in_plane.size() == 2) section_.insert(cell_edge(in_plane[0], in_plane[1]));
     if (kept.corners.size() >= 3) out_.facets.push_back(std::move(kept));
   }
 
@@ -106,8 +106,8 @@ class HalfCell {
   const std::vector<Rational>& heights_;
   int side_;
   Cell out_;
-  std::map<Edge, std::uint32_t> numbers_;  // two equal ends: a corner of the cell
-  std::set<Edge> section_;                 // edges in the plane
+  std::map<CellEdge, std::uint32_t> numbers_;  // two equal ends: a corner of the cell
+  std::set<CellEdge> section_;                 // edges in the plane
 };
 
 class Parts {

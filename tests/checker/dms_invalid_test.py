@@ -88,7 +88,7 @@ def every_kind():
             no_core(), inside(), made.negative_jacobian(one(1, mirrored), [Q(1, 5)] * 3),
             made.zero_jacobian(one(2, curved_and_flat), 0, small()), made.edge_overused(fan_of_two(2), 0, 1), made.several_fans(fan_of_two(1), 0),
             faces_meet(), made.tetrahedra_meet(pair(moved([Q(1, 8)] * 3)), 0, 1, [Q(1, 5)] * 3),
-            made.images_meet(one(1, flat), [Q(1, 8), Q(1, 8), 0], [Q(1, 8), Q(1, 8), Q(1, 2)]), crossing(slid())]
+            made.images_meet(one(1, flat), [Q(1, 8), Q(1, 8), 0], [Q(1, 8), Q(1, 8), Q(1, 2)]), crossing(slid()), covering()]
 
 
 def fan_of_two(common):
@@ -132,7 +132,7 @@ class Proofs(Case):
     def test_wrong_words_and_numbers(self):
         for kind, proof in enumerate(every_kind()):
             self.judged("S1", proof, finding="M5")
-            self.judged("B3", proof, finding=made.FINDINGS[(kind + 1) % 13])
+            self.judged("B3", proof, finding=made.FINDINGS[(kind + 1) % len(made.FINDINGS)])
             self.judged("B3", proof, tetrahedra=99)
             self.judged("S1", proof, subject_format="vmicro")
 
@@ -335,7 +335,8 @@ class Maps(Case):
 
     def test_the_conditions_that_make_a_map(self):
         kinds = {5: lambda data: made.negative_jacobian(data, [Q(1, 5)] * 3), 6: lambda data: made.zero_jacobian(data, 0, small()),
-                 11: lambda data: made.images_meet(data, [Q(1, 5)] * 3, [Q(1, 6)] * 3), 12: lambda data: crossing(data, at=0)}
+                 11: lambda data: made.images_meet(data, [Q(1, 5)] * 3, [Q(1, 6)] * 3), 12: lambda data: crossing(data, at=0),
+                 13: lambda data: made.point_covered(data, 0, small(), [Q(1, 5)] * 3)}
         twice = pair([(0, 0, 2)], 2, tetrahedra=(TET, [0, 1, 2, 4]))
         apart = changed(files.separate(pair([(0, 0, -1)], 2, tetrahedra=(TET, [0, 2, 1, 4]))),
                         lambda f: next(c for c in f["control"] if c["beta"] == [2, 0, 0, 0])["value"].__setitem__(0, "1/7"))
@@ -556,6 +557,162 @@ def two_blocks(reach):
     def on(x, y, first):
         return next(f for f in faces if (f[0] < 6) == first and all(c[0] == x or c[1] == y for c in corners_of(data, f)))
     return data, on(1, None, True), on(None, 0, False), (same, second)
+
+
+# ---------------------------------------------------------------- coverings
+
+HAIR = Q(1, 2**40)
+V, U = [Q(1, 5), Q(1, 4), Q(1, 6)], [Q(13, 4), Q(1, 8), Q(1, 3)]
+
+
+def around(v, size=Q(1, 32)):
+    """A small tetrahedron with this mean."""
+    return [[a + size * (c - Q(1, 4)) for a, c in zip(v, p)] for p in CORNERS]
+
+
+def curved(p):
+    return [p[0] + p[1] / 3 - p[0] * p[2], p[1] + p[0] * p[0] / 2, p[2] - p[0] * p[1] / 4]
+
+
+def image(data, v):
+    """s at a point of the first tetrahedron, whose vertices are the corners and whose clouds are collapsed."""
+    file = json.loads(data)
+    values = {tuple(c["at"]): [Q(x) for x in c["value"]] for c in file["control"]}
+    return made.bezier(lambda beta: values[tuple(m for m, b in enumerate(beta) for _ in range(b))], [1 - sum(v), *v])(file["degree"])
+
+
+def small_part(x):
+    """A map of the second of two tetrahedra that takes U to x."""
+    return lambda p: [a + (b - c) / 50 for a, b, c in zip(x, p, U)]
+
+
+def nested(degree=2, warp=curved, v=V):
+    """Two tetrahedra far from each other; the image of the second is inside of that of the first, and U and v have one image."""
+    second = small_part(image(one(degree, warp), v))
+    return pair(moved((3, 0, 0)), degree, lambda p: warp(p) if p[0] < 2 else second(p))
+
+
+def covering(data=None, points=None, u=U, tetrahedron=0, planes=()):
+    return made.point_covered(data or nested(), tetrahedron, points or around(V), u, planes)
+
+
+def aimed(x, change=lambda file: None):
+    """The first tetrahedron is the leaf and its map, of degree 2, the identity, before the change; U has the image x."""
+    second = small_part(x)
+    return covering(changed(pair(moved((3, 0, 0)), 2, lambda p: p if p[0] < 2 else second(p)), change), CORNERS)
+
+
+class Coverings(Case):
+    def rejected(self, **values):
+        self.judged("W13", covering(**values))
+
+    def test_a_body_inside_of_another_one(self):
+        for degree in (1, 2, 3):
+            self.accepted(covering(nested(degree)))
+            self.accepted(covering(nested(degree, lambda p: mirrored(curved(p)))))     # e < 0
+            self.accepted(covering(files.separate(nested(degree))))
+        self.accepted(covering(planes=[[Q(1), Q(0), Q(0), Q(1, 5)], [Q(0), Q(3), Q(-1), Q(5)]]))
+        self.accepted(covering(nested(warp=same), CORNERS))
+        for u in ([Q(3), Q(0), Q(0)], [Q(10, 3)] + [Q(1, 3)] * 2):                     # a vertex, a point of a face
+            self.accepted(covering(points=around(V, Q(1, 8)), u=u, data=nested(degree=1, warp=same)))
+
+    def test_cubes(self):
+        points, tetrahedra = files.grid_domain((1, 1, 1))
+        both = [*points, *([c + 5 * (i == 0) for i, c in enumerate(p)] for p in points)]
+        data = files.model(2, [[p] for p in both], tetrahedra + [[v + 8 for v in t] for t in tetrahedra],
+                           lambda p: p if p[0] < 3 else [Q(1, 4) + (p[0] - 5) / 4 + p[1] / 9, Q(1, 3) + p[1] / 5, Q(2, 5) + p[2] / 7])
+        u = [Q(21, 4), Q(1, 3), Q(1, 2)]
+        v = [Q(1, 4) + Q(1, 16) + Q(1, 27), Q(1, 3) + Q(1, 15), Q(2, 5) + Q(1, 14)]
+        of = [i for i, t in enumerate(tetrahedra) if min(made.d(*(v if k == m else points[w] for k, w in enumerate(t))) for m in range(4)) > 0]
+        for tetrahedron in range(12):
+            self.judged("ACCEPT" if [tetrahedron] == of else "W13", covering(data, around(v, Q(1, 100)), u, tetrahedron))
+
+    def test_two_places_of_one_body(self):
+        # x (1 - x): 1/4 and 3/4 have one image, and near 3/4 the map turns space over.
+        def fold(file):
+            for c in file["control"]:
+                x = [Q(file["vertices"][v][0][0]) for v in c["at"]]
+                c["value"][0] = str(sum(x) / 2 - x[0] * x[1])
+        data = changed(one(2), fold)
+        near, far = [Q(1, 4), Q(1, 16), Q(1, 16)], [Q(3, 4), Q(1, 16), Q(1, 16)]
+        for v, u in ((near, far), (far, near)):
+            self.accepted(covering(data, around(v), u))
+            self.rejected(data=data, points=around(v), u=v)
+        self.rejected(data=data, points=CORNERS, u=near)
+
+    def test_lies_about_the_point(self):
+        corners = around(V)
+        self.rejected(u=V)
+        self.rejected(u=[a + HAIR for a in V])
+        for inside in (3, 2, 1):                           # on a face, an edge, a corner
+            self.rejected(u=made.mean(corners[:inside], [1] * inside))
+        self.rejected(u=made.mean(corners, (1, 1, 1, -HAIR)))                          # beyond a face, and so is its image
+        self.rejected(points=around(V, Q(1, 1000)), u=[U[0], U[1] + Q(1, 4), U[2]])    # another image
+        self.rejected(data=aimed(V).data, points=CORNERS, u=V)
+        for u in ([Q(-1), Q(0), Q(0)], [Q(3) - HAIR, Q(1, 8), Q(1, 8)], [Q(50)] * 3):
+            self.rejected(u=u)
+
+    def test_lies_about_the_leaf(self):
+        points, data = around(V), nested(warp=same)
+        self.accepted(covering(data, points))
+        self.rejected(data=data, points=[points[i] for i in (0, 1, 3, 2)])
+        self.rejected(data=data, points=[*points[:3], made.mean(points[:3], (1, 1, 1))])
+        self.rejected(data=data, points=[points[0]] * 4)
+        self.rejected(data=data, points=[[-HAIR, Q(0), Q(0)], *CORNERS[1:]])
+        self.rejected(data=data, points=around(V, Q(3)))
+        self.rejected(data=data, points=points, tetrahedron=1)
+        self.rejected(data=data, points=around([V[0] + Q(1, 16), *V[1:]]))
+
+    def test_a_leaf_among_knots(self):
+        first, tetrahedra = files.grid_domain((2, 2, 2))
+        clouds = files.clouds_of(first, 2, (2, 2, 2), Q(1, 4), 1)
+        corners = [first[v] for v in tetrahedra[0]]
+        far = len(first)
+        def judged(expected, points):
+            x = made.mean(points, [1] * 4)
+            data = files.model(2, clouds + [[[c[0] + 9, *c[1:]]] for c in CORNERS], [*tetrahedra, [far + v for v in TET]],
+                               lambda p: p if p[0] < 5 else [a + (b - c) / 50 for a, b, c in zip(x, p, (9, 0, 0))])
+            self.judged(expected, covering(data, points, [Q(9), Q(0), Q(0)]))
+        judged("W13", corners)                             # knots cut it
+        judged("ACCEPT", [made.mean([corners[0], p], (63, 1)) for p in corners])
+
+    def test_images_that_are_not_covered(self):
+        for m in range(4):
+            face = [1] * 4
+            for share, expected in ((HAIR, "ACCEPT"), (0, "W13"), (-HAIR, "W13"), (-5, "W13")):
+                face[m] = share
+                self.judged(expected, aimed(made.mean(CORNERS, face)))
+
+    def test_a_coefficient_that_passes_the_image(self):
+        x = [Q(1, 4)] * 3
+        for m in range(4):
+            for j, k in itertools.combinations([i for i in range(4) if i != m], 2):
+                for share, expected in ((Q(1, 4) - HAIR, "ACCEPT"), (Q(1, 4), "W13"), (Q(1, 4) + HAIR, "W13")):
+                    place = made.mean([CORNERS[m], CORNERS[j], CORNERS[k]], (share, (1 - share) / 2, (1 - share) / 2))
+                    def change(file, at=[j, k], place=place):
+                        next(c for c in file["control"] if c["at"] == at)["value"][:] = map(str, place)
+                    self.judged(expected, aimed(x, change))
+
+    def test_flat_images(self):
+        for degree, warp in ((1, flat), (2, flat), (2, curved_and_flat)):
+            self.rejected(data=nested(degree, warp), points=around(V))
+
+    def test_numbers_of_the_body(self):
+        plane, long = [Q(1), Q(0), Q(0), Q(1, 5)], Q(1, 3**700)
+        proof = covering(planes=[plane])
+        self.accepted(proof)
+        self.judged("B2", covering(u=[U[0] + long, *U[1:]]))
+        self.judged("B2", covering(points=[[V[0] + long, *V[1:]], *around(V)[1:]]))
+        self.judged("B2", covering(planes=[[*plane[:3], long]]))
+        self.judged("B2", made.point_covered(nested(), 0, around(V), U, planes={1: [[*plane[:3], long]]}))
+        self.judged("B2", covering(pair(moved((3, 0, 0)), 7)))
+        self.judged("B2", covering(changed(nested(), lambda f: f["control"][0]["value"].__setitem__(1, str(3**170)))))
+        self.judged("B1", covering(tetrahedron=2))
+        self.judged("B1", covering(planes=[[Q(0), Q(0), Q(0), Q(1)]]))
+        body, listed = proof.body(), made.planes_of([plane])
+        self.judged("B1", proof, body.replace(listed, b"\xff\xff\x7f" + listed[1:]))  # planes that are not there
+        self.judged("B1", proof, body[:8] + b"\x0e" + body[9:])                        # a kind above the last one
+        self.judged("B1", proof, body[:-12] + b"\7\0\0\0" + body[-7:])                # one face fewer
 
 
 class Bodies(Case):

@@ -3,6 +3,7 @@
 """Certificates of `veritope certify` about simplex-spline solids with a defect: both checkers accept them, each finding occurs, and what is
 changed in them is rejected. VERITOPE names the program."""
 import copy
+import itertools
 import json
 import os
 import pathlib
@@ -25,8 +26,12 @@ LIES = {
     "tet-reversed": [(0, 1)], "tet-face-overused": [(1, 2), (2, 0)], "cloud-degenerate": [(0, 0), (1, 1)], "cloud-no-core": [(0, 0), (7, Q(1, 3))],
     "cloud-inside": [(5, 3), (6, Q(-1))], "jacobian": [(0, Q(1, 4)), (0, Q(5))], "jacobian-zero": [(1, Q(2)), (0, 5)], "M4": [(0, 1), (1, 2)],
     "M6": [(0, 1)], "M7": [(4, Q(1, 3)), (0, 0)], "M9": [(0, 1), (2, Q(50))], "meeting": [(0, Q(1, 3)), (3, Q(1, 2))],
-    "crossing": [(0, 1), (2, Q(9)), (24, 63)],
+    "crossing": [(0, 1), (2, Q(9)), (24, 63)], "covering": [(0, 12), (1, Q(50)), (14, Q(50))],
 }
+
+
+def mixed(p, q, share):
+    return [a + share * (b - a) for a, b in zip(p, q)]
 
 
 def refuted(data):
@@ -50,12 +55,17 @@ class Refuted(unittest.TestCase):
         self.assertEqual((code, judges.condition(line)), (0, "ACCEPT"), line)
         self.assertLess(len(proof.certificate()), 2000)
         for at, value in LIES[name]:
-            lie = copy.deepcopy(proof)
-            lie.body.fields[at][1] = value
-            code, line = judges.both(lie.data, lie.certificate())
-            self.assertEqual(code, 1, f"{at}: {line}")
-            self.assertIn(judges.condition(line), (f"W{proof.body.kind}", "B1"), line)
+            self.rejected(proof, {at: value})
         return proof
+
+    def rejected(self, proof, changes):
+        """changes: the new values of fields, by their numbers."""
+        lie = copy.deepcopy(proof)
+        for at, value in changes.items():
+            lie.body.fields[at][1] = value
+        code, line = judges.both(lie.data, lie.certificate())
+        self.assertEqual(code, 1, f"{changes}: {line}")
+        self.assertIn(judges.condition(line), (f"W{proof.body.kind}", "B1"), line)
 
     # PROVES DMS-2.W0
     def test_tet_reversed(self):
@@ -108,6 +118,22 @@ class Refuted(unittest.TestCase):
     # PROVES DMS-2.W12
     def test_crossing(self):
         self.finding("crossing")
+
+    # PROVES DMS-2.W13
+    def test_covering(self):
+        """A point of one body has the image of one inside of the leaf, which is in the other one."""
+        proof = self.finding("covering")
+        values = [value for _, value in proof.body.fields]
+        t, a, b, c, d, u = values[0], *(values[at:at + 3] for at in (1, 4, 7, 10, 14))
+        middle = mixed(mixed(a, b, Q(1, 2)), mixed(c, d, Q(1, 2)), Q(1, 2))
+        for other in range(12):
+            if other != t:
+                self.rejected(proof, {0: other})
+        for place in (middle, a, mixed(a, b, Q(1, 2)), [*u[:2], u[2] + 9]):
+            self.rejected(proof, dict(zip(range(14, 17), place)))
+        small = [mixed(a, p, Q(1, 2**20)) for p in (a, b, c, d)]
+        for corners in ([b, a, c, d], [a, b, c, mixed(a, b, Q(1, 3))], small):
+            self.rejected(proof, dict(zip(range(1, 13), itertools.chain(*corners))))
 
     # PROVES DMS-2.V1
     def test_a_fold_of_a_model_with_another_defect(self):

@@ -148,6 +148,17 @@ class Dms(Folder):
         done = run("dms", "eval", model, "-", input="# a comment\n\n0 0 0\n2 0 0\n", cwd=self.folder)
         self.assertEqual(done.stdout.split("\n"), [" ".join(["0.0000000000000000e+00"] * 3), "outside", ""])
 
+    def test_values_beyond_binary64_are_infinite(self):
+        far = [[0, 0, 0], ["1e400", 0, 0], [0, "-1e400", 0], [0, 0, "1e400"]]
+        points = [list(map(str, p)) for p in far]
+        (self.folder / "far.vdms").write_text(json.dumps({
+            "format": "veritope-dms-1", "degree": 1, "attributes": ["a"], "vertices": [[p] for p in points], "tetrahedra": [[0, 2, 1, 3]],
+            "control": [{"at": [m], "value": p + ["1"]} for m, p in enumerate(points)]}))
+        done = run("dms", "eval", "far.vdms", "-", input="2e399 -3e399 1\n", cwd=self.folder)
+        self.assertEqual((done.returncode, done.stdout), (0, "inf -inf 1.0000000000000000e+00 1.0000000000000000e+00\n"))
+        point, = self.evaluate("far.vdms", ["2e399 -3e399 1"])["points"]
+        self.assertEqual((point["lo"], point["hi"]), ([None, None, 1, 1],) * 2)
+
     def test_made_models_are_the_identity(self):
         points = ["1/4 1/4 1/4", "1/3 1/5 1/7", "0 0 0", "1 0 0", "1/3 1/3 1/3", "1/2 1/2 0", "1e-9 0.5 0.25"]
         for degree in "1", "2", "4":
@@ -280,7 +291,7 @@ class Dms(Folder):
         self.assertEqual(done.returncode, 0, done)
         self.assertIn("lossy: 1 attribute over a domain of its own", " ".join(done.stdout.split()))
         for code, data in dms_defective.defective().items():
-            if code in ("jacobian", "jacobian-zero", "meeting", "crossing"):
+            if code in ("jacobian", "jacobian-zero", "meeting", "crossing", "covering"):
                 continue
             (self.folder / "bad.vdms").write_bytes(data)
             done = run("convert", "bad.vdms", "bad.vtu", cwd=self.folder)
@@ -332,9 +343,31 @@ class Dms(Folder):
         self.assertIn("jacobian: the determinant of the derivative is below 0 at (", " ".join(done.stdout.split()))
         self.assertIn("accepted by veritope-check", " ".join(done.stdout.split()))
 
+    def test_a_body_inside_of_the_image_of_another_one_is_invalid(self):
+        (self.folder / "nested.vdms").write_bytes(dms_defective.defective()["covering"])
+        done = run("certify", "nested.vdms", "--json", "r.json", cwd=self.folder)
+        self.assertEqual(done.returncode, 1, done)
+        self.assertIn("accepted by veritope-check", " ".join(done.stdout.split()))
+        document = json.loads((self.folder / "r.json").read_text())
+        self.assertEqual(schema.faults(document), [])
+        defect, = document["files"][0]["defects"]
+        self.assertEqual((defect["code"], len(defect["tetrahedra"]), defect["other_parameter"]), ("patches-crossing", 2, None))
+        self.assertEqual(len(defect["parameter"]), 3)
+
+    def test_two_points_with_one_image_are_found_where_determinants_are_0(self):
+        """z -> z^2 on the half plane x >= 0."""
+        done = run("certify", MODELS / "dms" / "opposite_points.vdms")
+        self.assertEqual(done.returncode, 1, done)
+        self.assertIn("patches-touching: the points (0, -1/2, 0) and (0, 1/2, 0) of the domain have one image (checked)", " ".join(done.stdout.split()))
+
+    def test_boxes_of_a_thin_slab_are_those_that_the_checker_accepts(self):
+        done = run("certify", MODELS / "dms" / "thin_slab.vdms")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("1 body, genus 0, volume about 0.0342191 (checked)", done.stdout)
+
     def test_every_verb_refuses_domains_and_clouds_with_defects(self):
         for code, data in dms_defective.defective().items():
-            if code in ("jacobian", "jacobian-zero", "meeting", "crossing"):
+            if code in ("jacobian", "jacobian-zero", "meeting", "crossing", "covering"):
                 continue
             (self.folder / "bad.vdms").write_bytes(data)
             document = self.evaluate("bad.vdms", ["1/4 1/4 1/4"], status=1)

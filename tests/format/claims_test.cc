@@ -241,7 +241,7 @@ std::vector<DmsInvalidBody> invalid_dms() {
           {400, DmsCloudWithoutCore{300, {{{0, 1, 0, 0}, 3, half}, {{9, 0, 0, 0}, 0, odd}}}, {}},
           {400, DmsCloudInside{f, {1, 0, 1}, 128, {half, odd, half, odd, odd}}, {}},
           {400, DmsNegativePoint{p}, planes},
-          {400, DmsFlatLeaf{300, {p, q, q, p}, {plane}}, planes},
+          {400, DmsFlatLeaf{{300, {p, q, q, p}, {plane}}}, planes},
           {400, DmsCrowdedEdgeName{{7, 300}}, {}},
           {400, DmsPinchedVertexName{300}, {}},
           {400, DmsImproperPoint{{f, g}, {p, q}}, {}},
@@ -251,7 +251,8 @@ std::vector<DmsInvalidBody> invalid_dms() {
            DmsCrossingPieces{{{{f, {p, q, p}, {plane}}, {g, {q, q, p}, {}}}},
                              {{{whole, part}, {part, whole}}},
                              {{{1, -2, 3}, {0, -64, 64}, {7, 8, 9}}}},
-           planes}};
+           planes},
+          {400, DmsCoveringLeaf{{300, {p, q, q, p}, {plane}}, q}, planes}};
 }
 
 // A certificate of each claim, and bodies that fit it. All claims of the table must be here.

@@ -397,9 +397,9 @@ def two_points(rng):
     return Invalid(joined(one, other), 11, u=u, v=v)
 
 
-def meet(one, other, u, v, rng):
-    """Gives the models maps, of positive determinant, that take these points to one."""
-    first, second = (any_map(rng, one.degree, 1) for _ in range(2))
+def meet(one, other, u, v, rng, sign=1):
+    """Gives the models maps that take these points to one. sign: that of the determinant of the first; the second is positive."""
+    first, second = (any_map(rng, one.degree, s) for s in (sign, 1))
     shift = sub(value(first, u), value(second, v))
     one.maps = [first] * len(one.clouds)
     other.maps = [[p + ONE * c for p, c in zip(second, shift)]] * len(other.clouds)
@@ -536,8 +536,144 @@ def crossing_of_one_face(rng, pieces=None):
     return crossing_of(model, f, sigma, f, rho, (parts, parts), at, fixed, rng)
 
 
+# ---------------------------------------------------------------- coverings
+
+def net_on(parts, corners, degree):
+    """{index: coefficient} of the Bernstein form of a polynomial map on a tetrahedron."""
+    indices = [beta for beta in itertools.product(range(degree + 1), repeat=4) if sum(beta) == degree]
+    return {beta: [p.polar([c for c, b in zip(corners, beta) for _ in range(b)]) for p in parts] for beta in indices}
+
+
+def is_covered(net, x):
+    """(c) of W13: a share of x in the tetrahedron of the images of the corners is above that of each coefficient of the face."""
+    degree = sum(next(iter(net)))
+    images = [net[tuple(degree * (k == m) for k in range(4))] for m in range(4)]
+    whole = volume(*images)
+    if whole == 0:
+        return False
+    share = lambda m, p: volume(*[p if k == m else c for k, c in enumerate(images)]) / whole     # noqa: E731
+    return all(share(m, x) > share(m, b) for m in range(4) for beta, b in net.items() if not beta[m])
+
+
+def parts_and_leaf(rng, names=PARTS):
+    """(model, another one far away, tetrahedron of the first one, an uncut leaf in it, point of the other one)"""
+    while True:
+        one, other = two_parts(rng, far=True, names=names)
+        for model in (one, other):
+            clouded(model, rng)
+        t = rng.randrange(len(one.tetrahedra))
+        corners = uncut_leaf(one, t, rng)
+        if corners:
+            return one, other, t, corners, point_of(other, rng.randrange(len(other.tetrahedra)), rng)
+
+
+def covering_at(one, other, t, corners, v, u, rng, planes=(), sign=1):
+    """The finding about the images of v and u, which are made one; and the map of the first part, which is one to one in all of space if
+    the sign is not 0."""
+    meet(one, other, v, u, rng, sign)
+    return Invalid(joined(one, other), 13, tet=t, corners=corners, planes=list(planes), u=u), one.maps[0]
+
+
+def covers(finding, parts):
+    """Whether the leaf, on which s is this polynomial map, covers the image of the point."""
+    model, u = finding.model, finding.witness["u"]
+    t = next(t for t in range(len(model.tetrahedra)) if is_inside(model.corners(t), u, closed=True))
+    of_point = model.maps[model.tetrahedra[t][0]]
+    return is_covered(net_on(parts, finding.witness["corners"], model.degree), value(of_point, u))
+
+
+def covering_of_parts(rng):
+    one, other, t, corners, u = parts_and_leaf(rng)
+    finding, parts = covering_at(one, other, t, corners, mix(shares(rng, 4), corners), u, rng)
+    return finding if covers(finding, parts) else None
+
+
+def covering_of_a_fold(rng):
+    """A leaf about the second one of two points with one image in one part; its image may be mirrored."""
+    model, planes = some_clouded(rng, degrees=(2, 2, 3))
+    t = rng.randrange(len(model.tetrahedra))
+    u, v = point_of(model, rng.randrange(len(model.tetrahedra)), rng), point_of(model, t, rng, False)
+    if u == v:
+        return None
+    axes = dual_axes(u, v, rng)
+    parts = after(matrix(rng), [0, 0, 0], (axes[0] * axes[0], axes[1], axes[2] + axes[0] * axes[0]))
+    model.maps = [parts] * len(model.clouds)
+    for size in (Q(1), Q(1, 2), Q(1, 8), Q(1, 64), Q(1, 1024)):
+        corners = [mix((1 - size, size), (v, c)) for c in model.corners(t)]
+        found = Invalid(model, 13, planes, tet=t, corners=corners, planes=[], u=u)
+        if not is_inside(corners, u, closed=True) and covers(found, parts) and not any(is_cut(corners, three) for three in model.triangles()):
+            return found
+    return None
+
+
+def covering_beside_knots(rng):
+    """A leaf that needs the plane of its list; or None."""
+    one, other = two_parts(rng, degrees=(2, 2, 3), far=True, names=("star", "double"))
+    clouded(one, rng)
+    triangles = sorted(one.triangles())
+    for _ in range(50):
+        found = leaf_beside(one, rng.sample(rng.choice(triangles), 3), triangles, rng)
+        if found:
+            t, corners, plane = found
+            finding, parts = covering_at(one, other, t, corners, mix(shares(rng, 4), corners), point_of(other, 0, rng), rng, [plane])
+            return finding if covers(finding, parts) else None
+    return None
+
+
+def leaf_beside(model, three, triangles, rng):
+    """(tetrahedron, corners, plane): a small leaf in the plane of three knots, beside the first two. The plane parts it from these three, and
+    from all others that need one. Or None."""
+    a, b, c = three
+    side, foot = sub(b, a), mix(shares(rng, 2), (a, b))
+    out = cross(side, cross(side, sub(c, a)))
+    if dot(out, sub(c, a)) > 0:
+        out = [-x for x in out]
+    v = add(foot, out, Q(rng.randint(1, 9), 64) / max(map(abs, out)))
+    t = next((t for t in range(len(model.tetrahedra)) if is_inside(model.corners(t), v)), None)
+    if t is None:
+        return None
+    ways = until(directions, rng)
+    size = Q(rng.randint(1, 6), 9) * dot(out, sub(v, foot)) / max(abs(dot(out, way)) for way in ways)
+    corners, plane = [add(v, way, size) for way in ways], [*out, dot(out, foot)]
+    standard = standard_planes(corners, model.corners(t))
+    is_needed = all(is_inside(model.corners(t), p, closed=True) for p in corners) and not is_parted(corners, three, standard)
+    return (t, corners, plane) if is_needed and all(is_parted(corners, those, [*standard, plane]) for those in triangles) else None
+
+
+def directions(rng):
+    """To the corners of a tetrahedron about 0; or None."""
+    ways = [[Q(rng.randint(-9, 9)) for _ in range(3)] for _ in range(4)]
+    return ways if is_inside(ways, [0, 0, 0]) else None
+
+
+def standard_planes(corners, root):
+    """The planes, besides those of a leaf's list and of triangles of knots, that may part the leaf from knots. Numbers of those across an axis
+    are None."""
+    planes = [[*(Q(i == k) for i in range(3)), None] for k in range(3)]
+    for a, b, c in (three for points in (corners, root) for three in itertools.combinations(points, 3)):
+        planes.append([*normal_of(a, b, c), dot(normal_of(a, b, c), a)])
+    return planes
+
+
+def is_parted(corners, three, planes):
+    """Whether one of the planes, or that of the three knots, parts them from the leaf."""
+    if not is_cut(corners, three):
+        return True
+    for *vector, at in planes:
+        one, other = ([dot(vector, p) for p in points] for points in (corners, three))
+        for low, high in ((one, other), (other, one)):
+            if max(low) <= (max(low) if at is None else at) <= min(high):
+                return True
+    return False
+
+
+def covering(rng):
+    make = rng.choice((covering_of_parts, covering_of_parts, covering_of_a_fold, covering_of_a_fold, covering_beside_knots))
+    return until(make, rng)
+
+
 HONEST = (reversed_tet, overused_face, degenerate_cloud, no_core, inner_hull, negative, flat_leaf, edge_of_three, two_fans, improper_point,
-          common_inner_point, two_points, crossing)
+          common_inner_point, two_points, crossing, covering)
 
 
 def honest(kind, rng):

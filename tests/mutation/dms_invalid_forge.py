@@ -15,8 +15,8 @@ sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / "support")]
 import dms_files as files                                 # noqa: E402
 
 NAMES = ("tet-reversed", "tet-face-overused", "cloud-degenerate", "cloud-no-core", "cloud-inside", "jacobian", "jacobian-zero", "M4", "M6", "M7",
-         "M9", "meeting", "crossing")
-OF_THE_MAP = (5, 6, 11, 12)
+         "M9", "meeting", "crossing", "covering")
+OF_THE_MAP = (5, 6, 11, 12, 13)
 
 
 # ---------------------------------------------------------------- vectors
@@ -242,6 +242,10 @@ def terms_code(terms):
     return bytes([len(terms) & 255]) + b"".join(u8s((*gamma, m)) + files.rational(y) for gamma, m, y in terms)
 
 
+def points_code(points):
+    return b"".join(map(rationals, points))
+
+
 # The fields of the witness of each kind, in order, each with its code.
 FIELDS = (
     {"tet": files.varint},
@@ -250,15 +254,15 @@ FIELDS = (
     {"tet": files.varint, "terms": terms_code},
     {"f": face_code, "index": u8s, "tet": files.varint, "weights": rationals},
     {"u": rationals},
-    {"tet": files.varint, "corners": lambda corners: b"".join(map(rationals, corners)), "planes": planes_code},
+    {"tet": files.varint, "corners": points_code, "planes": planes_code},
     {"a": files.varint, "b": files.varint},
     {"v": files.varint},
     {"f": face_code, "g": face_code, "w": rationals, "x": rationals},
     {"tet": files.varint, "other": files.varint, "u": rationals},
     {"u": rationals, "v": rationals},
-    {"f": face_code, "sigma": lambda corners: b"".join(map(rationals, corners)), "planes_f": planes_code,
-     "g": face_code, "rho": lambda corners: b"".join(map(rationals, corners)), "planes_g": planes_code,
+    {"f": face_code, "sigma": points_code, "planes_f": planes_code, "g": face_code, "rho": points_code, "planes_g": planes_code,
      "A": intervals_code, "B": intervals_code, "Y": lambda rows: b"".join(files.zigzag(c) for row in rows for c in row)},
+    {"tet": files.varint, "corners": points_code, "planes": planes_code, "u": rationals},
 )
 
 

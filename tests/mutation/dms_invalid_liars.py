@@ -275,7 +275,7 @@ def wrong_overlaps(rng):
 # ---------------------------------------------------------------- one thing is wrong: the rest
 
 def a_map_finding(rng):
-    return true.honest(rng.choice((5, 5, 6, 11, 12)), rng)
+    return true.honest(rng.choice((5, 5, 6, 11, 12, 13)), rng)
 
 
 def spoiled(rng):
@@ -361,7 +361,7 @@ def long_numbers(rng):
 
 def wrong_statements(rng):
     """B3: the name of another kind, another number of tetrahedra."""
-    finding = true.honest(rng.choice([k for k in range(13) if k not in (6, 12)]), rng)
+    finding = true.honest(rng.choice([k for k in range(len(NAMES)) if k not in (6, 12, 13)]), rng)
     name = rng.choice([name for name in NAMES if name != NAMES[finding.kind]])
     yield "B3_name", finding.told(values={"finding": name})
     yield "B3_count", finding.told(values={"tetrahedra": len(finding.model.tetrahedra) + rng.choice((1, 1 << 32))})
@@ -369,14 +369,14 @@ def wrong_statements(rng):
 
 def malformed(rng):
     """B1, and what else bytes of another kind are."""
-    finding = true.honest(rng.choice([k for k in range(13) if k not in (6, 12)]), rng)
+    finding = true.honest(rng.choice([k for k in range(len(NAMES)) if k not in (6, 12, 13)]), rng)
     body = finding.body()
     yield "cut_off", finding.told(body=lambda n=rng.randrange(len(body)): body[:n])
     yield "too_long", finding.told(tail=b"\0")
     yield "count", finding.told(count=rng.choice((0, len(finding.model.tetrahedra) + 1, (1 << 32) - 1)))
     yield "magic", finding.told(magic=rng.choice((b"VTDM", b"VTVI", b"vtdi")))
-    kind = rng.choice([k for k in range(14) if k != finding.kind])
-    yield "kind_byte", finding.told(kind_byte=kind, values={"finding": NAMES[min(kind, 12)]})
+    kind = rng.choice([k for k in range(len(NAMES) + 1) if k != finding.kind])
+    yield "kind_byte", finding.told(kind_byte=kind, values={"finding": NAMES[min(kind, len(NAMES) - 1)]})
     of_map, cores = true.negative(rng), true.no_core(rng)
     yield "faces", of_map.told(lists=rng.choice((of_map.lists[1:], [*of_map.lists, []])))
     yield "no_terms", cores.changed(terms=rng.choice(([], cores.witness["terms"][:1] * 5)))
@@ -386,8 +386,8 @@ def malformed(rng):
 
 STRATEGIES = ((solids_without_defect, 8), (wrong_tets, 2), (wrong_faces, 3), (wrong_indices, 4), (wrong_cores, 6), (wrong_hulls, 6),
               (wrong_edges, 4), (wrong_contacts, 5), (wrong_overlaps, 4), (maps.wrong_points, 5), (maps.wrong_leaves, 5), (maps.wrong_meetings, 4),
-              (maps.wrong_crossings, 8), (maps.crossings_without_defect, 4), (spoiled, 12), (planes_left_out, 2), (long_numbers, 2),
-              (wrong_statements, 2), (malformed, 1))
+              (maps.wrong_crossings, 8), (maps.crossings_without_defect, 4), (maps.wrong_coverings, 6), (maps.coverings_without_defect, 3),
+              (spoiled, 12), (planes_left_out, 2), (long_numbers, 2), (wrong_statements, 2), (malformed, 1))
 
 
 def told(strategy, rng):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Lies of dms_invalid_liars.py about maps: findings of the kinds 5, 6, 11 and 12 in which one thing is wrong."""
+"""Lies of dms_invalid_liars.py about maps: findings of the kinds 5, 6 and 11 to 13 in which one thing is wrong."""
 import itertools
 from fractions import Fraction as Q
 
@@ -117,12 +117,10 @@ def zero_in_rows(rng):
 def is_cut_inside(model, t):
     """A point of a triangle of knots of the tetrahedron is found inside."""
     shares = [(a, b, 6 - a - b) for a in range(7) for b in range(7 - a)]
-    for gamma in model.gammas(model.degree - 1):
-        for three in itertools.combinations(model.v(t, gamma), 3):
-            if any(cross(sub(three[1], three[0]), sub(three[2], three[0]))):
-                if any(is_inside(model.corners(t), mix(share, three)) for share in shares):
-                    return True
-    return False
+    knots = [sorted({tuple(k) for k in model.v(t, gamma)}) for gamma in model.gammas(model.degree - 1)]
+    triangles = {three for names in knots for three in itertools.combinations(names, 3)}
+    corners = model.corners(t)
+    return any(true.is_cut(corners, three) and any(is_inside(corners, mix(share, three)) for share in shares) for three in triangles)
 
 
 def planes_through(points, rng):
@@ -144,20 +142,24 @@ def wrong_leaves(rng):
     corners = true.uncut_leaf(model, t, rng)
     if corners:
         yield "W6_not_zero", Invalid(model, 6, lists, tet=t, corners=corners, planes=[])
-    finding = true.flat_leaf(rng)
+    yield from other_leaves("W6", true.flat_leaf(rng))
+    yield from cut_leaves(rng)
+
+
+def other_leaves(condition, finding):
+    """Leaves that are reversed, flat, too large, of another tetrahedron."""
     corners, t = finding.witness["corners"], finding.witness["tet"]
     a, b, c, d = corners
-    yield "W6_reversed", finding.changed(corners=[b, a, c, d])
-    yield "W6_flat", finding.changed(corners=[a, b, c, mix((1, 1, 1), (a, b, c))])
+    yield condition + "_reversed", finding.changed(corners=[b, a, c, d])
+    yield condition + "_flat", finding.changed(corners=[a, b, c, mix((1, 1, 1), (a, b, c))])
     whole = finding.model.corners(t)
     large = [mix((-HAIR, 1 + HAIR), (mix([1] * 4, whole), p)) for p in whole]
-    yield "W6_large", finding.changed(corners=large)
-    yield "W6_corner", finding.changed(corners=[*whole[:3], large[3]])
+    yield condition + "_large", finding.changed(corners=large)
+    yield condition + "_corner", finding.changed(corners=[*whole[:3], large[3]])
     for other in range(len(finding.model.tetrahedra)):
         if other != t:
-            yield "W6_tetrahedron", finding.changed(tet=other)
+            yield condition + "_tetrahedron", finding.changed(tet=other)
             break
-    yield from cut_leaves(rng)
 
 
 def cut_leaves(rng):
@@ -373,3 +375,119 @@ def oriented(piece, model, face):
     normal = cross(sub(b, a), sub(c, a))
     p, q, r = piece
     return piece if dot(normal, cross(sub(q, p), sub(r, p))) > 0 else [p, r, q]
+
+
+# ---------------------------------------------------------------- coverings (kind 13)
+
+def wrong_coverings(rng):
+    """W13: leaves that are cut, reversed, flat, too large, of another tetrahedron; points in the leaf or outside of the domain; images that no
+    leaf covers, or that a coefficient passes."""
+    finding = true.covering(rng)
+    yield from other_leaves("W13", finding)
+    corners = finding.witness["corners"]
+    yield "W13_inside", finding.changed(u=mix(true.shares(rng, 4), corners))
+    shares = true.shares(rng, 4)
+    for k in rng.sample(range(4), rng.randint(1, 3)):
+        shares[k] = Q(0)
+    yield "W13_border", finding.changed(u=mix(shares, corners))
+    yield from points_outside(finding, rng)
+    yield from uncovered(rng)
+    yield from passing_coefficients(rng)
+    yield from flat_coverings(rng)
+    yield from cut_coverings(rng)
+
+
+def points_outside(finding, rng):
+    """Where s has no value, beside the domain or far away."""
+    f = rng.choice(finding.model.boundary())
+    a, b, c = [finding.model.point(v) for v in finding.model.face(f)]
+    yield "W13_outside", finding.changed(u=add(mix(true.shares(rng, 3), (a, b, c)), cross(sub(b, a), sub(c, a)), rng.choice((HAIR, Q(1, 1 << 20)))))
+    yield "W13_far", finding.changed(u=[Q(-5000)] * 3)
+
+
+def uncovered(rng):
+    """The image of the point is that of one on the border of the leaf or beyond it, and of no other; or the leaf is smaller than it has to be."""
+    one, other, t, corners, u = true.parts_and_leaf(rng)
+    shares, k = true.shares(rng, 4), rng.randrange(4)
+    for name, share in (("W13_on_face", Q(0)), ("W13_beyond", -HAIR), ("W13_far_beyond", Q(-1))):
+        at = mix([share if i == k else s for i, s in enumerate(shares)], corners)
+        yield name, true.covering_at(one, other, t, corners, at, u, rng)[0]
+    v = mix(shares, corners)
+    finding, _ = true.covering_at(one, other, t, corners, v, u, rng)
+    for corner in corners:
+        moved = [mix((5, 1), (corner, p)) for p in corners]
+        if not is_inside(moved, v, closed=True):
+            yield "W13_moved", finding.changed(corners=moved)
+    about, size = mix((rng.randint(1, 9), 9), (rng.choice(one.corners(t)), v)), rng.choice((Q(1, 64), HAIR))
+    small = [add(about, sub(p, v), size) for p in corners]
+    if not is_inside(small, v, closed=True):
+        yield "W13_small", finding.changed(corners=small)
+
+
+def covering_of_one(rng):
+    """(finding, coefficients on the leaf, image of the point): the leaf is the tetrahedron; or None."""
+    one, other = (true.some_model(rng, "one", degrees=(2, 3)) for _ in range(2))
+    other.degree, other.separate = one.degree, one.separate
+    true.move(other, [Q(1000)] * 3)
+    corners, u = one.corners(0), true.point_of(other, 0, rng)
+    finding, parts = true.covering_at(one, other, 0, corners, mix(true.shares(rng, 4), corners), u, rng)
+    net, x = true.net_on(parts, corners, one.degree), true.value(other.maps[0], u)
+    return (finding, net, x) if true.is_covered(net, x) else None
+
+
+def passing_coefficients(rng):
+    """The leaf covers the image of the point, but a coefficient of a face is moved past that image, or to its level."""
+    finding, net, x = true.until(covering_of_one, rng)
+    degree, m = finding.model.degree, rng.randrange(4)
+    images = [net[tuple(degree * (i == k) for i in range(4))] for k in range(4)]
+    height = volume(*[x if k == m else p for k, p in enumerate(images)]) / volume(*images)
+    beta = rng.choice([beta for beta in net if not beta[m] and max(beta) < degree])
+    at = tuple(sorted(v for v, b in zip(finding.model.tetrahedra[0], beta) for _ in range(b)))
+    for name, share in (("W13_level", height), ("W13_above", height + HAIR), ("W13_far_above", height + 1)):
+        others = true.shares(rng, 3)
+        shares = [s * (1 - share) / sum(others) for s in others]
+        place = [sum(s * p[i] for s, p in zip([*shares[:m], share, *shares[m:]], images)) for i in range(3)]
+        lie = finding.changed()
+        lie.model.moved[at] = sub(place, net[beta])
+        yield name, lie
+
+
+def flat_coverings(rng):
+    """The image of the leaf is flat or a surface, which has the image of the point."""
+    one, other, t, corners, u = true.parts_and_leaf(rng)
+    v = mix(true.shares(rng, 4), corners)
+    yield "W13_flat_map", true.covering_at(one, other, t, corners, v, u, rng, sign=0)[0]
+
+
+def cut_coverings(rng):
+    """Triangles of knots are inside of the leaf, or its list of planes does not part one that it has to part."""
+    one, other = true.two_parts(rng, degrees=(2, 3), far=True, names=("star", "double"))
+    true.clouded(one, rng)
+    for t in range(len(one.tetrahedra)):
+        if is_cut_inside(one, t):
+            corners = one.corners(t)
+            v, u = mix(true.shares(rng, 4), corners), true.point_of(other, 0, rng)
+            for _ in range(9):
+                finding, parts = true.covering_at(one, other, t, corners, v, u, rng, planes_through(corners, rng))
+                if true.covers(finding, parts):
+                    yield "W13_cut", finding
+                    break
+            break
+    finding = true.until(true.covering_beside_knots, rng)
+    (*out, at), = finding.witness["planes"]
+    middle = dot(out, mix([1] * 4, finding.witness["corners"]))
+    yield "W13_no_planes", finding.changed(planes=[])
+    yield "W13_plane_inside", finding.changed(planes=[[*out, middle]])
+    yield "W13_plane_beyond", finding.changed(planes=[[*out, at - rng.choice((HAIR, middle - at))]])
+
+
+def coverings_without_defect(rng):
+    """A map that is one to one; points in the leaf, on its border, near it and elsewhere."""
+    model, lists = true.some_clouded(rng)
+    model.maps = [true.any_map(rng, model.degree, 1)] * len(model.clouds)
+    t = rng.randrange(len(model.tetrahedra))
+    corners = true.uncut_leaf(model, t, rng) or model.corners(t)
+    shares, k = true.shares(rng, 4), rng.randrange(4)
+    points = [mix([share if i == k else s for i, s in enumerate(shares)], corners) for share in (shares[k], HAIR, Q(0), -HAIR)]
+    for u in (*points, true.point_of(model, rng.randrange(len(model.tetrahedra)), rng)):
+        yield "no_defect_13", Invalid(model, 13, lists, tet=t, corners=corners, planes=planes_through(corners, rng), u=u)

@@ -32,6 +32,19 @@ def bent(p):
     return [r * (a + part * (c - a)), y + z / 100, r * (b + part * (d - b))]
 
 
+def one_in_the_other():
+    """Two cubes; the image of the second is inside of that of the first. Both maps are curved."""
+    points, tetrahedra = files.grid_domain((1, 1, 1))
+    def warp(p):
+        x, y, z = p
+        if x < 2:
+            return [x + y * z / 5, y - x * x / 7, z + x * y / 9]
+        x -= 3
+        return [Q(2, 5) + x / 5 + y * y / 40, Q(1, 3) + y / 6 - x * z / 50, Q(3, 7) + z / 5 + x * x / 60]
+    both = [*points, *([x + 3, y, z] for x, y, z in points)]
+    return files.model(2, [[p] for p in both], tetrahedra + [[v + len(points) for v in t] for t in tetrahedra], warp)
+
+
 def defective():
     """finding: bytes of a model"""
     e = Q(1, 2**40)
@@ -57,4 +70,5 @@ def defective():
                        [[0, 1, 2, 3], [4, 5, 6, 7]]),
         "meeting": json.dumps(wound).encode(),
         "crossing": files.model(2, [[p] for p in files.grid_domain((1, 1, 10))[0]], files.grid_domain((1, 1, 10))[1], bent),
+        "covering": one_in_the_other(),
     }

@@ -7,12 +7,13 @@ import struct
 import dms_files as files
 
 KINDS = ("tet-reversed", "tet-face-overused", "cloud-degenerate", "cloud-no-core", "cloud-inside", "jacobian", "jacobian-zero", "M4", "M6",
-         "M7", "M9", "meeting", "crossing")
+         "M7", "M9", "meeting", "crossing", "covering")
 # v: varint, b: one byte, r: rational, z: zigzag, p: list of planes
 PIECE = "vb" + "r" * 9 + "p"
-LAYOUTS = {0: "v", 1: "vbvb", 2: "vbbbb", 5: "rrr", 6: "v" + "r" * 12 + "p", 7: "vv", 8: "v", 9: "vbvb" + "r" * 6, 10: "vvrrr",
-           11: "r" * 6, 12: 2 * PIECE + "v" * 12 + "z" * 9}
-WITH_PLANES = (5, 6, 11, 12)
+LEAF = "v" + "r" * 12 + "p"
+LAYOUTS = {0: "v", 1: "vbvb", 2: "vbbbb", 5: "rrr", 6: LEAF, 7: "vv", 8: "v", 9: "vbvb" + "r" * 6, 10: "vvrrr",
+           11: "r" * 6, 12: 2 * PIECE + "v" * 12 + "z" * 9, 13: LEAF + "rrr"}
+WITH_PLANES = (5, 6, 11, 12, 13)
 
 
 def read_fields(cursor, layout):

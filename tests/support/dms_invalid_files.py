@@ -10,8 +10,8 @@ from fractions import Fraction as Q
 from dms_files import rational, varint, zigzag
 
 FINDINGS = ("tet-reversed", "tet-face-overused", "cloud-degenerate", "cloud-no-core", "cloud-inside", "jacobian", "jacobian-zero",
-            "M4", "M6", "M7", "M9", "meeting", "crossing")
-KINDS_OF_MAPS = (5, 6, 11, 12)
+            "M4", "M6", "M7", "M9", "meeting", "crossing", "covering")
+KINDS_OF_MAPS = (5, 6, 11, 12, 13)
 FACES = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))       # of a tetrahedron, by its corners
 
 
@@ -124,8 +124,12 @@ def negative_jacobian(data, u, planes=None):
     return Proof(data, 5, rationals(u), planes)
 
 
+def leaf(tetrahedron, points, planes):
+    return varint(tetrahedron) + rationals(itertools.chain(*points)) + planes_of(planes)
+
+
 def zero_jacobian(data, tetrahedron, points, of_leaf=(), planes=None):
-    return Proof(data, 6, varint(tetrahedron) + rationals(itertools.chain(*points)) + planes_of(of_leaf), planes)
+    return Proof(data, 6, leaf(tetrahedron, points, of_leaf), planes)
 
 
 def edge_overused(data, a, b):
@@ -153,6 +157,10 @@ def images_cross(data, pieces, rectangles, rows, planes=None):
     out = b"".join(face(*f) + rationals(itertools.chain(*points)) + planes_of(those) for f, points, those in pieces)
     out += b"".join(varint(number) for rectangle in rectangles for interval in rectangle for number in interval)
     return Proof(data, 12, out + b"".join(zigzag(y) for row in rows for y in row), planes)
+
+
+def point_covered(data, tetrahedron, points, u, of_leaf=(), planes=None):
+    return Proof(data, 13, leaf(tetrahedron, points, of_leaf) + rationals(u), planes)
 
 
 def enclosed(sheets, at, fixed, width, places=20):

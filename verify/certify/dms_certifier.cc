@@ -18,6 +18,7 @@
 #include "solids/dms/dms_surface.h"
 #include "solids/dms/dms_tiles.h"
 #include "solids/dms/fast/fold_search.h"
+#include "solids/dms/fast/overlap_search.h"
 #include "solids/pieces/patch_volume.h"
 #include "verify/certify/certificate_entities.h"
 #include "verify/certify/certify_kinds_internal.h"
@@ -134,7 +135,20 @@ class DmsCertification {
     if (auto found = long_numbers()) return found;
     if (auto found = separate_control()) return found;
     if (auto found = hulls()) return found;
-    if (auto found = jacobian(); found || !refutations_.empty()) return found;
+    auto open = decide_map();
+    if (!open || !refutations_.empty()) return std::nullopt;
+    auto overlap = find_overlap(model_);
+    if (!overlap) return open;
+    refutations_.push_back(refutation_of(*overlap));
+    return std::nullopt;
+  }
+  std::optional<Finding> decide_map() {
+    if (auto open = jacobian(); open || !refutations_.empty()) {
+      // The surface needs no derivatives to meet itself.
+      bool is_over_limit = false;
+      if (open) surface_by_tiles(kTilesBeforePairs, is_over_limit);
+      return open;
+    }
     if (model_.degree == 1)
       if (auto found = find_image_overlap(model_)) {
         refutations_.push_back(std::move(*found));

@@ -111,6 +111,13 @@ DmsPoint point_on_side(const DmsTile& tile, std::uint32_t side, const Rational& 
   return mean(tile, shares);
 }
 
+DmsPoint middle_of(const std::array<DmsPoint, 4>& corners) {
+  DmsPoint out;
+  for (const DmsPoint& p : corners)
+    for (std::size_t c = 0; c < 3; ++c) out[c] += p[c] * Rational::power_of_two(-2);
+  return out;
+}
+
 DmsRefutation meeting_of(DmsPoint u, DmsPoint v, std::vector<std::uint32_t> tetrahedra,
                          const char* code) {
   DmsRefutation out;
@@ -290,12 +297,8 @@ std::optional<DmsRefutation> refutation_of(const DmsOpenLeaf& leaf) {
   if (!leaf.is_flat) return std::nullopt;
   certificate::DmsFlatLeaf proof;
   proof.tetrahedron = leaf.tetrahedron;
-  DmsPoint middle;
-  for (std::size_t m = 0; m < 4; ++m) {
-    proof.corners[m] = proof_of(leaf.corners[m]);
-    for (std::size_t c = 0; c < 3; ++c)
-      middle[c] += leaf.corners[m][c] * Rational::power_of_two(-2);
-  }
+  DmsPoint middle = middle_of(leaf.corners);
+  for (std::size_t m = 0; m < 4; ++m) proof.corners[m] = proof_of(leaf.corners[m]);
   out.finding.message = "the determinant of the derivative is 0 everywhere near " +
                         point_words(middle) + ", in tetrahedron " +
                         std::to_string(leaf.tetrahedron);
@@ -309,6 +312,21 @@ std::optional<DmsRefutation> refutation_of(const PatchRefutation& refutation,
                                            const std::vector<DmsPiece>& pieces,
                                            DmsEvaluator& evaluator) {
   return std::visit(SurfaceTranslation(pieces, evaluator), refutation);
+}
+
+DmsRefutation refutation_of(const DmsOverlap& overlap) {
+  certificate::DmsCoveringLeaf proof;
+  proof.tetrahedron = overlap.tetrahedron;
+  for (std::size_t m = 0; m < 4; ++m) proof.corners[m] = proof_of(overlap.corners[m]);
+  proof.other = proof_of(overlap.at);
+  DmsRefutation out;
+  out.finding.code = "patches-crossing";
+  out.finding.message = "the point " + point_words(overlap.at) + " of the domain and one near " +
+                        point_words(middle_of(overlap.corners)) + " have one image";
+  out.proof = std::move(proof);
+  out.facts.tetrahedra = {overlap.tetrahedron_of_point, overlap.tetrahedron};
+  out.facts.parameters = {overlap.at};
+  return out;
 }
 
 std::optional<DmsRefutation> find_image_overlap(const DmsModel& model) {
@@ -335,8 +353,12 @@ bool has_short_numbers(const certificate::DmsInvalidBody& body) {
   if (const auto* const x = std::get_if<DmsCloudInside>(&finding))
     return is_short_point(x->weights);
   if (const auto* const x = std::get_if<DmsNegativePoint>(&finding)) return is_short_point(x->at);
-  if (const auto* const x = std::get_if<DmsFlatLeaf>(&finding))
-    return are_short_points(x->corners) && are_short(x->planes);
+  const auto is_short_part = [&](const DmsPolynomialPart& part) {
+    return are_short_points(part.corners) && are_short(part.planes);
+  };
+  if (const auto* const x = std::get_if<DmsFlatLeaf>(&finding)) return is_short_part(*x);
+  if (const auto* const x = std::get_if<DmsCoveringLeaf>(&finding))
+    return is_short_part(*x) && is_short_point(x->other);
   if (const auto* const x = std::get_if<DmsImproperPoint>(&finding))
     return are_short_points(x->weights);
   if (const auto* const x = std::get_if<DmsOverlapPoint>(&finding)) return is_short_point(x->at);

@@ -11,6 +11,7 @@
 #include "solids/dms/dms_evaluator.h"
 #include "solids/dms/dms_jacobian.h"
 #include "solids/dms/dms_tiles.h"
+#include "solids/dms/fast/overlap_search.h"
 #include "verify/certify/dms_facts.h"
 #include "verify/certify/patch_decision.h"
 #include "verify/format/dms_invalid_certificate.h"
@@ -46,6 +47,8 @@ std::optional<DmsRefutation> refutation_of(const PatchRefutation& refutation,
 /// A point of a tetrahedron's image inside of that of another one.
 /// REQUIRES degree 1, and positive determinants. @cost near-linear if few images are near each other
 std::optional<DmsRefutation> find_image_overlap(const DmsModel& model);
+
+DmsRefutation refutation_of(const DmsOverlap& overlap);
 
 /// Whether the numbers of a body are as short as its page demands.
 bool has_short_numbers(const certificate::DmsInvalidBody& body);

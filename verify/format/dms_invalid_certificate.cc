@@ -29,7 +29,8 @@ constexpr std::array<std::string_view, kNumDmsKinds> kDmsFindingNames = {"tet-re
                                                                          "M7",
                                                                          "M9",
                                                                          "meeting",
-                                                                         "crossing"};
+                                                                         "crossing",
+                                                                         "covering"};
 
 // One layout for writing and reading: put(part) or take(part) for each part in order.
 class DmsWriter {
@@ -82,6 +83,12 @@ void lay_face(Io& io, Face& face) {
   io.name(face.tetrahedron);
   io.small(face.number);
 }
+template <typename Io, typename Part>
+void lay_part(Io& io, Part& part) {
+  io.name(part.tetrahedron);
+  for (auto& p : part.corners) lay_point(io, p);
+  io.planes(part.planes);
+}
 
 // lay(io, finding): its fields in the order of the page. `Is` names the kind; constness is that of the writer.
 template <typename Io, typename Finding>
@@ -111,9 +118,10 @@ void lay(Io& io, Finding& x) {
   } else if constexpr (std::is_same_v<Is, DmsNegativePoint>) {
     lay_point(io, x.at);
   } else if constexpr (std::is_same_v<Is, DmsFlatLeaf>) {
-    io.name(x.tetrahedron);
-    for (auto& p : x.corners) lay_point(io, p);
-    io.planes(x.planes);
+    lay_part(io, x);
+  } else if constexpr (std::is_same_v<Is, DmsCoveringLeaf>) {
+    lay_part(io, x);
+    lay_point(io, x.other);
   } else if constexpr (std::is_same_v<Is, DmsCrowdedEdgeName>) {
     for (auto& v : x.vertices) io.name(v);
   } else if constexpr (std::is_same_v<Is, DmsPinchedVertexName>) {
@@ -159,7 +167,8 @@ bool needs_planes(const DmsInvalidFinding& finding) {
   return std::holds_alternative<DmsNegativePoint>(finding) ||
          std::holds_alternative<DmsFlatLeaf>(finding) ||
          std::holds_alternative<DmsMeetingPoints>(finding) ||
-         std::holds_alternative<DmsCrossingPieces>(finding);
+         std::holds_alternative<DmsCrossingPieces>(finding) ||
+         std::holds_alternative<DmsCoveringLeaf>(finding);
 }
 
 Bytes encode(const DmsInvalidBody& body) {

@@ -53,11 +53,13 @@ struct DmsCloudInside {
 struct DmsNegativePoint {
   DmsPointProof at;
 };
-struct DmsFlatLeaf {
+/// A part of a tetrahedron on which the map is one polynomial.
+struct DmsPolynomialPart {
   std::uint64_t tetrahedron = 0;
   std::array<DmsPointProof, 4> corners;
   std::vector<DmsPlaneProof> planes;
 };
+struct DmsFlatLeaf : DmsPolynomialPart {};
 struct DmsCrowdedEdgeName {
   std::array<std::uint64_t, 2> vertices{};
 };
@@ -86,12 +88,16 @@ struct DmsCrossingPieces {
   std::array<std::array<std::int64_t, 3>, 3> rows{};
 };
 
+struct DmsCoveringLeaf : DmsPolynomialPart {
+  DmsPointProof other;
+};
+
 /// In the order of the page's kinds.
 using DmsInvalidFinding =
     std::variant<DmsReversedTetrahedron, DmsOverusedFace, DmsDegenerateCloud, DmsCloudWithoutCore,
                  DmsCloudInside, DmsNegativePoint, DmsFlatLeaf, DmsCrowdedEdgeName,
                  DmsPinchedVertexName, DmsImproperPoint, DmsOverlapPoint, DmsMeetingPoints,
-                 DmsCrossingPieces>;
+                 DmsCrossingPieces, DmsCoveringLeaf>;
 struct DmsInvalidBody {
   std::uint32_t tetrahedra = 0;  ///< of the file
   DmsInvalidFinding finding;

@@ -55,11 +55,16 @@ std::string dms_text(const DmsCloudInside& x) {
 std::string dms_text(const DmsNegativePoint& x) {
   return "the determinant of the derivative is below 0 at " + tuple_text(x.at) + "\n";
 }
-std::string dms_text(const DmsFlatLeaf& x) {
-  std::string out = "the determinant of the derivative is 0 in a part of tetrahedron " +
-                    plain(x.tetrahedron) + ", with the corners\n";
+std::string part_text(const DmsPolynomialPart& x) {
+  std::string out = "a part of tetrahedron " + plain(x.tetrahedron) + ", with the corners\n";
   for (const auto& p : x.corners) out += "  " + tuple_text(p) + "\n";
   return out;
+}
+std::string dms_text(const DmsFlatLeaf& x) {
+  return "the determinant of the derivative is 0 in " + part_text(x);
+}
+std::string dms_text(const DmsCoveringLeaf& x) {
+  return "the image of " + tuple_text(x.other) + " is also that of a point in " + part_text(x);
 }
 std::string dms_text(const DmsCrowdedEdgeName& x) {
   return "the edge of the vertices " + plain(x.vertices[0]) + ", " + plain(x.vertices[1]) +

@@ -8,7 +8,7 @@
 
 #include "robust/base/random.h"
 #include "solids/dms/dms_knots.h"
-#include "solids/dms/fast/fast_dms.h"
+#include "solids/dms/fast/sampled_dms_internal.h"
 
 namespace veritope {
 namespace {
@@ -24,17 +24,10 @@ struct Sample {
   Vec3d at;
 };
 
-FastDmsOptions with_tables_at_once() {
-  FastDmsOptions out;
-  out.with_gradient = true;
-  out.exact_first = 0;
-  return out;
-}
-
 class FoldSearch {
  public:
   FoldSearch(const DmsModel& model, const FoldSearchOptions& options)
-      : model_(model), options_(options), fast_(model, with_tables_at_once()), evaluator_(model) {}
+      : model_(model), options_(options), sampled_(model), evaluator_(model) {}
 
   std::optional<DmsFold> run(std::uint32_t first) {
     const std::size_t budget = options_.max_points / 2, count = model_.tetrahedra.size() - first;
@@ -48,7 +41,7 @@ class FoldSearch {
   }
 
  private:
-  bool goes_on() const { return !fold_ && fast_.counts().exact() <= options_.max_exact; }
+  bool goes_on() const { return !fold_ && sampled_.num_exact() <= options_.max_exact; }
 
   // Most points are near a face or an edge; the parts at a corner are similar to the tetrahedron.
   void sample(std::uint32_t t, std::size_t count) {
@@ -100,17 +93,9 @@ class FoldSearch {
 
   // Keeps those with the least determinants in least_; a determinant below 0 is looked at exactly.
   void evaluate() {
-    const std::size_t width = 3 * fast_.num_components();
-    values_.resize(points_.size() * fast_.num_components());
-    gradients_.resize(points_.size() * width);
-    FastDmsOutput out;
-    out.value = values_.data();
-    out.gradient = gradients_.data();
-    fast_.evaluate(points_, out);
+    sampled_.evaluate(points_);
     for (std::size_t i = 0; i < points_.size() && !fold_; ++i) {
-      const double* const g = gradients_.data() + i * width;
-      const double d = g[0] * (g[4] * g[8] - g[5] * g[7]) - g[1] * (g[3] * g[8] - g[5] * g[6]) +
-                       g[2] * (g[3] * g[7] - g[4] * g[6]);
+      const double d = internal::determinant_of(sampled_.derivative(i));
       if (!std::isfinite(d)) continue;  // outside of the domain
       if (d < 0) look_closer(points_[i]);
       least_.push_back({d, reaches_[i], points_[i]});
@@ -145,11 +130,11 @@ class FoldSearch {
 
   const DmsModel& model_;
   const FoldSearchOptions& options_;
-  FastDms fast_;
+  internal::SampledDms sampled_;
   DmsEvaluator evaluator_;
   Random random_{1};
   std::vector<Vec3d> points_;
-  std::vector<double> reaches_, values_, gradients_;
+  std::vector<double> reaches_;
   std::vector<Sample> least_;
   std::optional<DmsFold> fold_;
 };

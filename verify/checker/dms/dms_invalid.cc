@@ -18,7 +18,8 @@ const char* const kDmsFindings[] = {"tet-reversed",
                                     "M7",
                                     "M9",
                                     "meeting",
-                                    "crossing"};
+                                    "crossing",
+                                    "covering"};
 
 }  // namespace
 

@@ -17,7 +17,8 @@ enum DmsKind {
   kFacesMeet,
   kTetrahedraMeet,
   kImagesMeet,
-  kImagesCross
+  kImagesCross,
+  kImageCovers
 };
 struct DmsNamedFace {
   size_t tetrahedron;
@@ -51,7 +52,7 @@ bool have_equal_vertices(const DmsFace& f, const DmsFace& g);
 DmsPoint dms_mean(const std::vector<const DmsPoint*>& points, const Ratio* weights, const char* id);
 int sign_of_d(const DmsPoint* const* w);
 
-void check_dms_tetrahedra(const DmsModel& model, const DmsFinding& f);              // W0 to W4, W10
-void check_dms_surface_of_domain(const DmsModel& model, const DmsFinding& f);       // W7 to W9
-void check_dms_map(const DmsModel& model, const DmsFinding& f, Units* units);       // W5, W6, W11
+void check_dms_tetrahedra(const DmsModel& model, const DmsFinding& f);         // W0 to W4, W10
+void check_dms_surface_of_domain(const DmsModel& model, const DmsFinding& f);  // W7 to W9
+void check_dms_map(const DmsModel& model, const DmsFinding& f, Units* units);  // W5, W6, W11, W13
 void check_dms_crossing(const DmsModel& model, const DmsFinding& f, Units* units);  // W12

@@ -55,6 +55,11 @@ struct DmsFindingBytes : DmsBytes {
     tets(1);
     numbers(size_t(g[1] + g[2] + g[3] + 3));
   }
+  void leaf() {
+    tets(1);
+    numbers(12);
+    f.planes.push_back(planes());
+  }
   void crossing() {  // kind 12
     for (int i = 0; i < 2; ++i) {
       face();
@@ -74,13 +79,14 @@ struct DmsFindingBytes : DmsBytes {
       case kCloudNoCore: return core();
       case kCloudInside: return hull();
       case kNegativeJacobian: return numbers(3);
-      case kZeroJacobian: tets(1), numbers(12); return f.planes.push_back(planes());
+      case kZeroJacobian: return leaf();
       case kEdgeOverused: return vertices(2);
       case kSeveralFans: return vertices(1);
       case kFacesMeet: return face(), face(), numbers(6);
       case kTetrahedraMeet: return tets(2), numbers(3);
       case kImagesMeet: return numbers(6);
-      default: return crossing();
+      case kImagesCross: return crossing();
+      default: return leaf(), numbers(3);
     }
   }
 };
@@ -92,7 +98,7 @@ DmsFinding read_dms_finding(const DmsModel& model, const Body& body) {
   require(b.body.begins_with("VTDI"), "B1", "another magic number");
   require(b.body.natural(4) == model.file.tetrahedra.size(), "B1", "the file's tetrahedra are",
           model.file.tetrahedra.size());
-  b.f.kind = unsigned(b.byte(kImagesCross, "there is no kind"));
+  b.f.kind = unsigned(b.byte(kImageCovers, "there is no kind"));
   b.witness();
   if (b.f.needs_map()) {
     const uint64_t faces = b.body.count(1);

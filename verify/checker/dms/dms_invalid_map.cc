@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 OR MIT
-// dms_invalid_map.cc: W5, W6 and W11 of docs/certificates/dms-invalid.md.
+// dms_invalid_map.cc: W5, W6, W11 and W13 of docs/certificates/dms-invalid.md.
 #include "dms_invalid.h"
 #include "dms_pieces.h"
 #include "dms_rule_h.h"
@@ -61,33 +61,97 @@ void check_flat(const DmsModel& model, const std::vector<Big>& b) {
     require(dms_determinant(sum).sign() == 0, "W6", "the determinant is not 0");
   }
 }
-void check_leaf(const DmsModel& model, const DmsFinding& f, const DmsRuleH& rule, Units* units) {
+
+// A tetrahedron in the first one of a finding, where s is to be one polynomial; by the name units->id.
+struct DmsPart {
+  DmsPart(const DmsModel& m, const DmsFinding& f, const DmsRuleH& rule, Units* units);
+
+  std::vector<Ratio> coefficients(Units* units) const;  // of s, three coordinates each
+
+  const DmsModel& model;
+  const DmsPoint tau[4];
+  const std::vector<const DmsPoint*> corners;
+
+ private:
+  std::vector<DmsTerm> terms;
+};
+DmsPart::DmsPart(const DmsModel& m, const DmsFinding& f, const DmsRuleH& rule, Units* units)
+    : model(m),
+      tau{f.point(0), f.point(1), f.point(2), f.point(3)},
+      corners{&tau[0], &tau[1], &tau[2], &tau[3]} {
   const size_t root = f.tetrahedra[0];
-  const DmsPoint tau[4] = {f.point(0), f.point(1), f.point(2), f.point(3)};
-  const std::vector<const DmsPoint*> corners = {&tau[0], &tau[1], &tau[2], &tau[3]};
-  require(sign_of_d(corners.data()) > 0, "W6", "d is not positive");
+  require(sign_of_d(corners.data()) > 0, units->id, "d is not positive");
   for (const DmsPoint* p : corners)
-    require(is_in_tetrahedron(model, root, *p, false), "W6", "a corner leaves tetrahedron", root);
+    require(is_in_tetrahedron(model, root, *p, false), units->id, "a corner leaves tetrahedron",
+            root);
   const DmsPoint* of_root[4];
   for (size_t c = 0; c < 4; ++c) of_root[c] = &model.corner(root, c);
   std::vector<DmsPlane> planes;
   add_dms_faces(of_root, &planes);
   DmsSides sides = dms_sides_of_leaf(corners, planes, f.planes[0]);
-  const std::vector<DmsTerm> terms = rule.near.not_excluded(DmsBox(corners), &sides, units);
+  terms = rule.near.not_excluded(DmsBox(corners), &sides, units);
   rule.near.check_cuts(terms, &sides, units, "a cut is in the way, in tetrahedron", root);
+}
+std::vector<Ratio> DmsPart::coefficients(Units* units) const {
   const DmsInterpolation interpolation(model.file.n, 4);
-  const std::vector<Ratio> b = interpolation.coefficients(corners.data(), [&](const DmsPoint& u) {
+  return interpolation.coefficients(corners.data(), [&](const DmsPoint& u) {
     return DmsPlace(model, u, nullptr).value(terms, units);
   });
-  check_flat(model, dms_integers(b, nullptr));
+}
+
+// e_m(y) of points with integer coordinates; m = 4 for e itself.
+Big volume_with(const std::vector<const Big*>& p, size_t m, const Big* y) {
+  const auto at = [&](size_t i) { return i == m ? y : p[i]; };
+  std::vector<Big> edges;
+  for (size_t i = 1; i < 4; ++i)
+    for (size_t k = 0; k < 3; ++k) edges.push_back(at(i)[k] - at(0)[k]);
+  return dms_determinant(edges);
+}
+void check_covering(const DmsModel& model, const DmsFinding& f, const DmsRuleH& rule,
+                    Units* units) {
+  const DmsPart part(model, f, rule, units);
+  const DmsPoint u = f.point(4);
+  require_in_domain(rule, u, "W13");
+  bool is_outside = false;
+  for (size_t m = 0; m < 4; ++m) {
+    std::vector<const DmsPoint*> with_u = part.corners;
+    with_u[m] = &u;
+    is_outside = is_outside || sign_of_d(with_u.data()) < 0;
+  }
+  require(is_outside, "W13", "the point lies in the small tetrahedron");
+
+  std::vector<Ratio> all = part.coefficients(units);
+  for (const Ratio& x : rule.value(u, rule.terms(u))) all.push_back(x);
+  const std::vector<Big> b = dms_integers(all, nullptr);
+  const int n = model.file.n;
+  const Big* const x = &b[b.size() - 3];
+  std::vector<const Big*> corner;
+  for (size_t m = 0; m < 4; ++m) {
+    DmsIndex at = {{0, 0, 0, 0}};
+    at[m] = n;
+    corner.push_back(&b[3 * dms_place(at, n)]);
+  }
+  const int sign = volume_with(corner, 4, nullptr).sign();
+  require(sign != 0, "W13", "the corners have images in one plane");
+  for (size_t m = 0; m < 4; ++m) {
+    const Big of_x = volume_with(corner, m, x);
+    for (const DmsIndex& beta : dms_indices(n))
+      require(beta[m] != 0 ||
+                  (of_x - volume_with(corner, m, &b[3 * dms_place(beta, n)])).sign() == sign,
+              "W13", "a coefficient is not beyond the image of the point, of face", m);
+  }
 }
 
 }  // namespace
 
 void check_dms_map(const DmsModel& model, const DmsFinding& f, Units* units) {
-  units->id = f.kind == kNegativeJacobian ? "W5" : f.kind == kZeroJacobian ? "W6" : "W11";
+  units->id = f.kind == kNegativeJacobian ? "W5"
+              : f.kind == kZeroJacobian   ? "W6"
+              : f.kind == kImagesMeet     ? "W11"
+                                          : "W13";
   const DmsRuleH rule(model, units);
   if (f.kind == kNegativeJacobian) return check_negative(f, rule);
   if (f.kind == kImagesMeet) return check_meeting(f, rule);
-  check_leaf(model, f, rule, units);
+  if (f.kind == kImageCovers) return check_covering(model, f, rule, units);
+  check_flat(model, dms_integers(DmsPart(model, f, rule, units).coefficients(units), nullptr));
 }

@@ -31,7 +31,7 @@ OF_DMS = {name: int for name in ("tetrahedra", "control_points", "leaves", "patc
 OF_DMS_PAIRS = {name: int for name in (
     "tetrahedra", "control_points", "leaves", "faces", "shells", "bodies", "genus")}
 DMS_FINDINGS = ("tet-reversed|tet-face-overused|cloud-degenerate|cloud-no-core|cloud-inside|jacobian|jacobian-zero|"
-                "M4|M6|M7|M9|meeting|crossing")
+                "M4|M6|M7|M9|meeting|crossing|covering")
 A_RATIO = r"[0-9]{1,100}(/(?!0+\Z)[0-9]{1,100})?"
 OF_INSIDES = {**OF_MICROSTRUCTURES, **OF_MESHES, "model_sha256": HEX64, "model_bytes": int,
               "model_format": "|".join(MESHES + SPLINES), "skin": "-|" + A_RATIO}

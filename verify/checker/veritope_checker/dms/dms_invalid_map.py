@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 OR MIT
-"""Findings about the map (docs/certificates/dms-invalid.md, sections 3 to 5): W5, W6, W11 and W12. Each method says why
-the condition does not hold, or None; the model obeys V1."""
+"""Findings about the map (docs/certificates/dms-invalid.md, sections 3 to 6): W5, W6 and W11 to W13. Each method says
+why the condition does not hold, or None; the model obeys V1."""
 from functools import lru_cache
 from math import lcm
 
@@ -21,7 +21,8 @@ class MapFindings:
     def __init__(self, spline, spend):
         self.spline, self.model, self.spend = spline, spline.model, spend
         self.tests = {"jacobian": self.why_not_negative, "jacobian-zero": self.why_not_flat,
-                      "meeting": self.why_no_meeting, "crossing": self.why_no_crossing}
+                      "meeting": self.why_no_meeting, "crossing": self.why_no_crossing,
+                      "covering": self.why_no_covering}
 
     def value(self, point):
         return self.spline.at(point, self.spline.all_near(point))
@@ -46,20 +47,26 @@ class MapFindings:
 
     def why_not_flat(self, witness):
         """W6."""
-        t, points, planes = witness
-        corners, root = [self.spline.scaled(p) for p in points], self.spline.corners(t)
-        if det(*corners) <= 0 or not all(is_in_closed(root, c) for c in corners):
-            return "the leaf is flat or reversed, or not in its tetrahedron"
-        region = leaf_region(self.spline, corners, root, planes)
-        near = list(unexcluded(self.spline, region, self.spend))
-        if first_cut(region, near, self.spend):
-            return "the leaf is cut by knots"
-        entries = integer_columns([[c for row in d for c in row] for d in derivatives(self.spline, corners, near)])
+        why = self.why_no_leaf(witness)
+        if why:
+            return why
+        of_leaf = derivatives(self.spline, self.corners, self.near)
+        entries = integer_columns([[c for row in d for c in row] for d in of_leaf])
         for weights in weights_at_lattice(self.model.degree):
             a = [sum(w * c for w, c in zip(weights, column) if c) for column in entries]
             if determinant((a[:3], a[3:6], a[6:])):
                 return "the determinant does not vanish everywhere in the leaf"
         return None
+
+    def why_no_leaf(self, leaf):
+        """What W6 and (l) of W13 say about a leaf alone; keeps its corners and the V_gamma near it."""
+        t, points, planes = leaf
+        self.corners, root = [self.spline.scaled(p) for p in points], self.spline.corners(t)
+        if det(*self.corners) <= 0 or not all(is_in_closed(root, c) for c in self.corners):
+            return "the leaf is flat or reversed, or not in its tetrahedron"
+        region = leaf_region(self.spline, self.corners, root, planes)
+        self.near = list(unexcluded(self.spline, region, self.spend))
+        return "the leaf is cut by knots" if first_cut(region, self.near, self.spend) else None
 
     # ------------------------------------------------------------ section 5
 
@@ -113,6 +120,37 @@ class MapFindings:
         rows = triangle_entity(self.model.degree, coefficients(self.spline, points, near)).rows
         factor = lcm(*[c.denominator for row in rows for p in row for c in p])
         return over_square([[[int(p[i] * factor) for p in row] for row in rows] for i in range(4)])
+
+    # ------------------------------------------------------------ section 6
+
+    def why_no_covering(self, witness):
+        """W13."""
+        leaf, point = witness
+        why = self.why_no_leaf(leaf)
+        if why:
+            return why
+        u = self.spline.scaled(point)
+        if not self.spline.is_in_domain(u) or is_in_closed(self.corners, u):
+            return "the point is not in the domain, or in the leaf"
+        on_leaf = dict(zip(multi_indices(self.model.degree, 4), coefficients(self.spline, self.corners, self.near)))
+        return why_not_covered(on_leaf, self.value(u))
+
+def why_not_covered(on_leaf, x):
+    """(c)"""
+    n = max(next(iter(on_leaf)))
+    images = [on_leaf[tuple(n * (k == m) for k in range(4))] for m in range(4)]
+    whole = det(*images)
+    if not whole:
+        return "the images of the corners lie in a plane"
+    for m in range(4):
+        at_x = det(*with_point(images, m, x))
+        for beta, b in on_leaf.items():
+            if not beta[m] and (at_x - det(*with_point(images, m, b))) * whole <= 0:
+                return "no plane parts the image of the point from a face's coefficients"
+    return None
+
+def with_point(points, m, point):
+    return [*points[:m], point, *points[m + 1:]]
 
 def is_in_triangle(p, corners, normal):
     return not dot(normal, sub(p, corners[0])) and all(

@@ -11,8 +11,8 @@ from .dms_domain import boundary_of
 
 MAGIC = b"VTDI"
 KINDS = ("tet-reversed", "tet-face-overused", "cloud-degenerate", "cloud-no-core", "cloud-inside", "jacobian",
-         "jacobian-zero", "M4", "M6", "M7", "M9", "meeting", "crossing")
-OF_THE_MAP = ("jacobian", "jacobian-zero", "meeting", "crossing")
+         "jacobian-zero", "M4", "M6", "M7", "M9", "meeting", "crossing", "covering")
+OF_THE_MAP = ("jacobian", "jacobian-zero", "meeting", "crossing", "covering")
 FACE_OF_LIST = 1                                            # least size, in bytes
 
 # face: (tetrahedron, number).  at: two Intervals.
@@ -63,6 +63,10 @@ class WitnessBody(Body):
         face, index, t = self.face(), self.index(3), self.tet()
         return face, index, t, self.numbers(sum(index) + 3)
 
+    def leaf(self):
+        """(tetrahedron, corners, planes)"""
+        return self.tet(), [self.numbers(3) for _ in range(4)], read_planes(self)
+
     def crossing(self):
         pieces = [Piece(self.face(), [self.numbers(3) for _ in range(3)], read_planes(self)) for _ in range(2)]
         at = [(Interval(self), Interval(self)) for _ in range(2)]
@@ -75,13 +79,14 @@ READERS = {
     "cloud-no-core": lambda b: (b.tet(), b.terms()),
     "cloud-inside": WitnessBody.hull,
     "jacobian": lambda b: b.numbers(3),
-    "jacobian-zero": lambda b: (b.tet(), [b.numbers(3) for _ in range(4)], read_planes(b)),
+    "jacobian-zero": WitnessBody.leaf,
     "M4": lambda b: (b.vertex(), b.vertex()),
     "M6": lambda b: b.vertex(),
     "M7": lambda b: (b.face(), b.face(), b.numbers(3), b.numbers(3)),
     "M9": lambda b: (b.tet(), b.tet(), b.numbers(3)),
     "meeting": lambda b: (b.numbers(3), b.numbers(3)),
     "crossing": WitnessBody.crossing,
+    "covering": lambda b: (b.leaf(), b.numbers(3)),
 }
 
 class Finding:

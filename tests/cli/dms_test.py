@@ -360,6 +360,13 @@ class Dms(Folder):
         self.assertEqual(done.returncode, 1, done)
         self.assertIn("patches-touching: the points (0, -1/2, 0) and (0, 1/2, 0) of the domain have one image (checked)", " ".join(done.stdout.split()))
 
+    def test_a_surface_that_nearly_folds_is_proved_by_pairs_of_faces(self):
+        """Its ten patches would need 30,000 star boxes."""
+        done = run("certify", MODELS / "dms" / "near_fold.vdms")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("1 body, genus 0, volume about 22.8934 (checked)", done.stdout)
+        self.assertIn("  proof        11 leaves, pairs of 10 faces of the surface", done.stdout)
+
     def test_boxes_of_a_thin_slab_are_those_that_the_checker_accepts(self):
         done = run("certify", MODELS / "dms" / "thin_slab.vdms")
         self.assertEqual(done.returncode, 0, done)

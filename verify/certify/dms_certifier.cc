@@ -34,9 +34,13 @@ namespace {
 // B2 of the page.
 constexpr int kMaxCertifiedDegree = 6;
 constexpr std::size_t kMaxCertifiedBits = 256, kMaxPointBytes = 128;
-// More tiles are tried only if pairs of faces prove nothing. Tiles take some milliseconds each, but give the volume to
-// more digits.
-constexpr std::size_t kTilesBeforePairs = 500;
+// How much is tried for a proof by star boxes. A tile takes some milliseconds, and a box one.
+struct SurfaceLimits {
+  std::size_t tiles = static_cast<std::size_t>(-1);
+  std::size_t boxes = StarCoverOptions().max_boxes;
+};
+// More is tried only if pairs of faces prove nothing. Where the surface nearly folds, ten tiles may need 30,000 boxes.
+constexpr SurfaceLimits kBeforePairs{500, 2000};
 // After a proof by pairs, tiles give the volume if they are no more.
 constexpr std::size_t kTilesForVolume = 2000;
 constexpr double kVolumeTolerance = 1e-5;  // for rational patches; these are polynomial
@@ -52,6 +56,7 @@ bool is_long(const Rational& x) {
 struct SurfaceFault {
   Finding finding;
   std::optional<PatchRefutation> refutation;
+  bool is_over_limit = false;  // of boxes
 };
 // What star boxes say of triangles that bound a solid.
 struct SurfaceProof {
@@ -146,7 +151,7 @@ class DmsCertification {
     if (auto open = jacobian(); open || !refutations_.empty()) {
       // The surface needs no derivatives to meet itself.
       bool is_over_limit = false;
-      if (open) surface_by_tiles(kTilesBeforePairs, is_over_limit);
+      if (open) surface_by_tiles(kBeforePairs, is_over_limit);
       return open;
     }
     if (model_.degree == 1)
@@ -200,19 +205,23 @@ class DmsCertification {
   }
   // Proves that triangles bound a solid, or says what is against it.
   std::variant<SurfaceProof, SurfaceFault> prove_surface(std::vector<ExactTriangle> triangles,
-                                                         const std::string& what) const {
+                                                         const std::string& what,
+                                                         const SurfaceLimits& limits) const {
     const SplineModel model = spline_model(std::move(triangles));
     Result<FilePatches> patches = file_patches(model, PatchOrientation::kKeep);
     if (!patches)
       return SurfaceFault{reason(what + ": " + patches.error().message, "not-covered"), {}};
     FileDecisionOptions how;
     if (options_.max_cells) how.search.cover.max_boxes = *options_.max_cells;
+    const bool is_limited = limits.boxes < how.search.cover.max_boxes;
+    if (is_limited) how.search.cover.max_boxes = limits.boxes;
     const FileDecision decided = decide_file_patches(*patches, how);
     const PatchDecision& d = decided.decision;
     if (!d.is_valid) {
       const Finding why =
           d.refutation ? finding_of(*patches->complex, patches->entities, *d.refutation) : *d.open;
-      return SurfaceFault{reason(what + ": " + why.code + ": " + why.message), d.refutation};
+      return SurfaceFault{reason(what + ": " + why.code + ": " + why.message), d.refutation,
+                          is_limited && why.code == open_code::kBudget};
     }
     if (!fits_certificate(*decided.forest, d.cover))
       return SurfaceFault{
@@ -244,7 +253,7 @@ class DmsCertification {
     std::vector<ExactTriangle> triangles;
     for (const TetrahedronFace f : complex_.boundary())
       triangles.push_back(triangle_of(1, corners_of_face(f)));
-    auto proved = prove_surface(std::move(triangles), "the boundary of the domain");
+    auto proved = prove_surface(std::move(triangles), "the boundary of the domain", {});
     if (auto* const fault = std::get_if<SurfaceFault>(&proved)) return std::move(fault->finding);
     domain_ = std::get<SurfaceProof>(std::move(proved));
     return std::nullopt;
@@ -319,18 +328,18 @@ class DmsCertification {
 
   std::optional<Finding> surface() {
     bool is_over_limit = false;
-    auto open = surface_by_tiles(kTilesBeforePairs, is_over_limit);
+    auto open = surface_by_tiles(kBeforePairs, is_over_limit);
     if ((!open && !is_over_limit) || surface_by_pairs()) return std::nullopt;
-    return is_over_limit ? surface_by_tiles(static_cast<std::size_t>(-1), is_over_limit) : open;
+    return is_over_limit ? surface_by_tiles({}, is_over_limit) : open;
   }
 
-  // Nothing is found, and nothing open, if there would be more tiles.
-  std::optional<Finding> surface_by_tiles(std::size_t max_tiles, bool& is_over_limit) {
+  // Nothing is found, and nothing open, if there would be more tiles or boxes.
+  std::optional<Finding> surface_by_tiles(const SurfaceLimits& limits, bool& is_over_limit) {
     body_.tiles.clear();
     body_.points.clear();
     numbers_.clear();
     DmsTileOptions how{std::max(1u, options_.jobs), options_.work};
-    how.max_tiles = max_tiles;
+    how.max_tiles = limits.tiles;
     auto tiled = tile_boundary(model_, complex_, how);
     if (const auto* const open = std::get_if<DmsOpenFace>(&tiled)) {
       is_over_limit = open->is_over_limit;
@@ -353,8 +362,10 @@ class DmsCertification {
     }
     if (has_long_points()) return reason("B2: corners of tiles have too many bits", "not-covered");
     auto proved =
-        prove_surface(patches_on(model_, evaluator, all, how), "the surface of the solid");
+        prove_surface(patches_on(model_, evaluator, all, how), "the surface of the solid", limits);
     if (auto* const fault = std::get_if<SurfaceFault>(&proved)) {
+      is_over_limit = fault->is_over_limit;
+      if (is_over_limit) return std::nullopt;
       if (!fault->refutation) return std::move(fault->finding);
       auto refuted = refutation_of(*fault->refutation, pieces, evaluator);
       if (!refuted) return std::move(fault->finding);

@@ -36,6 +36,10 @@ TEST(DmsTruth, WoundWedgesAreInvalid) {
   expect_right("wound", 20);
   expect_right("wound_twins", 2);
 }
+TEST(DmsTruth, BodiesInsideOfTheImagesOfOthersAreInvalid) {
+  expect_right("nested", 20);
+  expect_right("nested_twins", 3);
+}
 TEST(DmsTruth, CloudsAtTheLimitsAreDecided) {
   expect_right("clouds", 20);
   expect_right("cloud_twins", 3);

@@ -261,6 +261,46 @@ inline Case wound(std::uint64_t seed, bool is_valid) {
   return out;
 }
 
+/// (iii) Two cubes. The map moves points of the first one by less than 1/20; the image of the second one is a small
+/// parallelepiped inside of the image of the first one, or beside it.
+inline Case nested(std::uint64_t seed, bool is_valid) {
+  Random random(seed);
+  const int degree = static_cast<int>(random.between(1, 3));
+  Case out;
+  out.truth = is_valid ? Truth::kValid : Truth::kInvalid;
+  out.text = std::string(is_valid ? "beside" : "inside of") + " another body, seed " +
+             std::to_string(seed);
+  const auto drawn_cube = [&] {
+    return drawn_box(random, {1, 1, 1}, degree, random.below(4) == 0);
+  };
+  out.model = drawn_cube();
+  DmsModel& m = out.model;
+  const auto count = static_cast<std::uint32_t>(m.clouds.size());
+  for (const DmsModel second = drawn_cube(); const DmsCloud& cloud : second.clouds) {
+    m.clouds.push_back(cloud);
+    for (DmsPoint& knot : m.clouds.back()) knot[0] += Rational(3);
+  }
+  for (std::size_t t = 0, size = m.tetrahedra.size(); t < size; ++t) {
+    m.tetrahedra.push_back(m.tetrahedra[t]);
+    for (std::uint32_t& v : m.tetrahedra.back()) v += count;
+  }
+  const Rational size = ratio(random.between(2, 4), 16), slant = ratio(random.between(-8, 8), 80);
+  DmsPoint from;
+  for (Rational& c : from) c = ratio(random.between(3, 7), 16);
+  if (is_valid) from[random.below(3)] += Rational(2);
+  warp_control(m, [&](DmsPoint p) {
+    if (p[0] < Rational(2)) {
+      for (Rational& c : p) c += ratio(random.between(-16, 16), 640);
+      return p;
+    }
+    p[0] -= Rational(3);
+    return DmsPoint{from[0] + size * (p[0] + slant * p[1]), from[1] + size * (p[1] + slant * p[2]),
+                    from[2] + size * (p[2] - slant * p[0])};
+  });
+  map_space(random, m);
+  return out;
+}
+
 /// (iv) A cloud that breaks (a), (b) or (c) by 2^-40, or is legal by 2^-40.
 inline Case clouded(std::uint64_t seed, bool is_valid) {
   Random random(seed);
@@ -327,6 +367,8 @@ inline std::vector<Class> classes() {
           {"bent_twins", [](std::uint64_t s) { return bent(s, true); }},
           {"wound", [](std::uint64_t s) { return wound(s, false); }},
           {"wound_twins", [](std::uint64_t s) { return wound(s, true); }},
+          {"nested", [](std::uint64_t s) { return nested(s, false); }},
+          {"nested_twins", [](std::uint64_t s) { return nested(s, true); }},
           {"clouds", [](std::uint64_t s) { return clouded(s, false); }},
           {"cloud_twins", [](std::uint64_t s) { return clouded(s, true); }}};
 }

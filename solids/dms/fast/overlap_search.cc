@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "robust/base/random.h"
@@ -44,6 +45,12 @@ struct ImageSample {
   PlainMatrix derivative{};
 };
 
+// Sample a has its image near that of b. The greater the score, the less likely is it that they are neighbours.
+struct SamplePair {
+  double score = 0;
+  std::uint32_t a = 0, b = 0;
+};
+
 // A tetrahedron of the domain. Distances in it are changes of barycentric coordinates, which affine maps keep.
 struct Frame {
   Point3d corner;
@@ -71,19 +78,20 @@ class OverlapSearch {
     std::vector<Box3d> boxes;
     for (const ImageSample& s : samples_) boxes.push_back(neighbourhood(s));
     const BoxHierarchy tree(boxes);
-    for (const ImageSample& a : samples_)
-      tree.visit(
-          [&](const Box3d& box) {
-            return goes_on() && is_inside(Box3d{a.image, a.image}, box);
-          },
-          [&](std::uint32_t k) { compare(a, samples_[k]); });
+    for (std::uint32_t a = 0; a < samples_.size(); ++a) {
+      const Box3d at{samples_[a].image, samples_[a].image};
+      tree.visit([&](const Box3d& box) { return is_inside(at, box); },
+                 [&](std::uint32_t b) { add_pair(a, b); });
+    }
+    keep_best_pairs();
+    for (const SamplePair& pair : pairs_)
+      if (goes_on()) seek_preimage(samples_[pair.a], samples_[pair.b]);
     return found_;
   }
 
  private:
   bool goes_on() const {
-    return !found_ && sampled_.num_exact() <= options_.max_exact && pairs_ < options_.max_pairs &&
-           places_ < options_.max_places;
+    return !found_ && sampled_.num_exact() <= options_.max_exact && places_ < options_.max_places;
   }
 
   Frame frame_of(std::uint32_t t) const {
@@ -146,17 +154,29 @@ class OverlapSearch {
     return out;
   }
 
-  // Seeks a preimage of a's image near b.
-  void compare(const ImageSample& a, const ImageSample& b) {
-    if (&a == &b || !goes_on()) return;
-    const PlainMatrix& to_shares = frames_[b.tetrahedron].to_shares;
+  void add_pair(std::uint32_t first, std::uint32_t second) {
+    const ImageSample &a = samples_[first], &b = samples_[second];
     const auto back = internal::inverse_of(b.derivative);
-    if (!back) return;
-    const Point3d step = product(*back, minus(a.image, b.image));
-    const Point3d apart = minus(a.at, b.at);
-    const double distance = greatest_of(product(to_shares, minus(apart, step)));
-    if (!(distance > greatest_of(product(to_shares, apart)) / 2)) return;  // it leads back to a
-    ++pairs_;
+    if (first == second || !back) return;
+    const PlainMatrix& to_shares = frames_[b.tetrahedron].to_shares;
+    const Point3d step = product(*back, minus(a.image, b.image)), apart = minus(a.at, b.at);
+    const double distance = greatest_of(product(to_shares, apart));
+    // Where the derivative leads from b back to a, it is likely that a is the only preimage nearby.
+    if (!(greatest_of(product(to_shares, minus(apart, step))) > distance / 2)) return;
+    const double score = distance / greatest_of(product(to_shares, step));
+    if (!(score > 0)) return;
+    if (pairs_.size() >= 4 * options_.max_pairs) keep_best_pairs();
+    pairs_.push_back({score, first, second});
+  }
+  void keep_best_pairs() {
+    std::sort(pairs_.begin(), pairs_.end(), [](const SamplePair& p, const SamplePair& q) {
+      return std::tie(q.score, p.a, p.b) < std::tie(p.score, q.a, q.b);
+    });
+    if (pairs_.size() > options_.max_pairs) pairs_.resize(options_.max_pairs);
+  }
+  // Seeks a preimage of a's image near b.
+  void seek_preimage(const ImageSample& a, const ImageSample& b) {
+    const PlainMatrix& to_shares = frames_[b.tetrahedron].to_shares;
     const auto v = preimage(a.image, b.at, to_shares);
     if (!v || greatest_of(product(to_shares, minus(*v, a.at))) < kApart) return;
     ++places_;
@@ -230,9 +250,10 @@ class OverlapSearch {
   DmsEvaluator evaluator_;
   DmsCovering covering_;
   Random random_{1};
-  std::size_t each_ = 1, pairs_ = 0, places_ = 0;
+  std::size_t each_ = 1, places_ = 0;
   std::vector<Frame> frames_;
   std::vector<ImageSample> samples_;
+  std::vector<SamplePair> pairs_;
   std::vector<Vec3d> points_;
   std::optional<DmsOverlap> found_;
 };

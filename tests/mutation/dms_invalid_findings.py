@@ -452,7 +452,7 @@ def rows_at(parts, corners, parameters):
 
 
 def crossing_of(model, f, sigma, g, rho, maps, at, fixed, rng, k=None, planes=None):
-    """The finding, or None if the two images touch only. maps: of both; at: parameters, of which number `fixed` (0 to 3) is a fraction of a
+    """The finding, or None if the two images touch only, or nearly so: then the enclosures may be too wide. maps: of both; at: parameters, of which number `fixed` (0 to 3) is a fraction of a
     power of two."""
     k = k or rng.choice((16, 20, 24, 30))
     directions = rows_at([maps[0]], sigma, at[0]) + [[-c for c in way] for way in rows_at([maps[1]], rho, at[1])]
@@ -461,6 +461,8 @@ def crossing_of(model, f, sigma, g, rho, maps, at, fixed, rng, k=None, planes=No
         return None
     y = inverse([list(column) for column in zip(*free)])
     most = max(abs(c) for row in y for c in row)
+    if most > 64:
+        return None
     intervals = []
     for i, x in enumerate([*at[0], *at[1]]):
         if i == fixed:

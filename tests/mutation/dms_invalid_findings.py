@@ -452,8 +452,8 @@ def rows_at(parts, corners, parameters):
 
 
 def crossing_of(model, f, sigma, g, rho, maps, at, fixed, rng, k=None, planes=None):
-    """The finding, or None if the two images touch only, or nearly so: then the enclosures may be too wide. maps: of both; at: parameters, of which number `fixed` (0 to 3) is a fraction of a
-    power of two."""
+    """The finding, or None if the two images touch only, or nearly so: then the enclosures may be too wide. maps: of both; at: parameters,
+    of which number `fixed` (0 to 3) is a fraction of a power of two."""
     k = k or rng.choice((16, 20, 24, 30))
     directions = rows_at([maps[0]], sigma, at[0]) + [[-c for c in way] for way in rows_at([maps[1]], rho, at[1])]
     free = [way for i, way in enumerate(directions) if i != fixed]

@@ -138,7 +138,9 @@ class OverlapSearch {
     for (std::size_t i = 0; i < made.size(); ++i) {
       made[i].image = sampled_.image(i);
       made[i].derivative = sampled_.derivative(i);
-      if (std::isfinite(greatest_of(made[i].image))) samples_.push_back(made[i]);
+      if (std::isfinite(greatest_of(made[i].image)) &&
+          std::isfinite(internal::norm_of(made[i].derivative)))
+        samples_.push_back(made[i]);
     }
   }
   // Around the image of what is nearer to this sample than to most others.

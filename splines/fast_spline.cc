@@ -27,7 +27,7 @@ FastBackEnd widest_fast_back_end() {
 template <std::size_t N>
 struct FastSpline<N>::Data {
   internal::FastStorage<N> storage;
-  internal::FastTables tables;
+  internal::FastSplineTables tables;
   std::size_t dimension;
   int entry;  // in FastKernels: the degree if all are one and unrolled, else 0
 

@@ -28,7 +28,7 @@ struct FastAxis {
 
 /// Lanes of four components, the last ones 0; those of a piece are [block][coefficient][4]. The bounds of a piece are,
 /// for each component, that of the value and then those of the partial derivatives by each axis.
-struct FastTables {
+struct FastSplineTables {
   FastAxis axis[3];
   const double* coefficients;
   const double* bounds;
@@ -53,7 +53,7 @@ struct FastOut {
   double* partial_bound;
 };
 
-using FastKernel = void (*)(const FastTables& tables, const double* const* at, std::size_t n,
+using FastKernel = void (*)(const FastSplineTables& tables, const double* const* at, std::size_t n,
                             const FastOut& out);
 inline constexpr int kFastDegrees = 5;  // unrolled for equal degrees 1 .. 5; entry 0: any degrees
 struct FastKernels {

@@ -39,7 +39,7 @@ struct FastLoop {
     alignas(32) double s[4] = {0, 0, 0, 0};
   };
   // Returns false if a parameter is outside of the domain, or NaN.
-  [[gnu::always_inline]] static bool locate(const FastTables& t, const double* const* at,
+  [[gnu::always_inline]] static bool locate(const FastSplineTables& t, const double* const* at,
                                             std::size_t i, Place& place) {
     for (std::size_t a = 0; a < N; ++a) {
       const FastAxis& axis = t.axis[a];
@@ -59,7 +59,7 @@ struct FastLoop {
   struct FixedWeights {
     alignas(32) double b[Degree + 1][4], d[Degree + 1][4];
     template <bool WithSlopes>
-    [[gnu::always_inline]] void set(const FastTables&, const Place& place) {
+    [[gnu::always_inline]] void set(const FastSplineTables&, const Place& place) {
       const V s = V::load(place.s), one = V::all(1.0);
       V weights[Degree + 1], below[Degree + 1], slopes[Degree + 1];
       bernstein_weights(Degree, s, one - s, one, weights, below);
@@ -77,7 +77,7 @@ struct FastLoop {
     int degrees[N];
     double b[N][kFastMaxDegree + 1], d[N][kFastMaxDegree + 1];
     template <bool WithSlopes>
-    void set(const FastTables& t, const Place& place) {
+    void set(const FastSplineTables& t, const Place& place) {
       for (std::size_t a = 0; a < N; ++a) {
         degrees[a] = t.axis[a].degree;
         double below[kFastMaxDegree + 1];
@@ -108,7 +108,7 @@ struct FastLoop {
     }
   };
 
-  static void refuse(const FastTables& t, std::size_t i, std::size_t dimension,
+  static void refuse(const FastSplineTables& t, std::size_t i, std::size_t dimension,
                      const FastOut& out) {
     const auto fill = [i](double* to, std::size_t size, double x) {
       for (std::size_t c = 0; to != nullptr && c < size; ++c) to[i * size + c] = x;
@@ -138,7 +138,7 @@ struct FastLoop {
            kFastQuotientFloor;
   }
 
-  static void value(const FastTables& t, const double* const* at, std::size_t n,
+  static void value(const FastSplineTables& t, const double* const* at, std::size_t n,
                     const FastOut& out) {
     const auto components = static_cast<std::size_t>(t.num_components);
     const bool is_rational = t.is_rational();
@@ -179,7 +179,8 @@ struct FastLoop {
     }
   }
 
-  static void jet(const FastTables& t, const double* const* at, std::size_t n, const FastOut& out) {
+  static void jet(const FastSplineTables& t, const double* const* at, std::size_t n,
+                  const FastOut& out) {
     const auto components = static_cast<std::size_t>(t.num_components);
     const bool is_rational = t.is_rational();
     const std::size_t dimension = t.dimension(), blocks = t.num_blocks();
@@ -223,7 +224,7 @@ struct FastLoop {
     }
   }
   // (x' - q w') / w of component c, q = x / w, and the bounds.
-  static void quotients(const FastTables& t, std::size_t piece, std::size_t i, std::size_t c,
+  static void quotients(const FastSplineTables& t, std::size_t piece, std::size_t i, std::size_t c,
                         std::size_t dimension, const double (&x)[N + 1][4],
                         const double (&w)[N + 1][4], const double* bounds, const FastOut& out) {
     const std::size_t components = dimension + 1;

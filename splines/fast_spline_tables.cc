@@ -215,8 +215,8 @@ Result<BSpline<Rational, N>> exact_bspline(const BSpline<double, N>& map) {
 }
 
 template <std::size_t N>
-FastTables FastStorage<N>::tables() const {
-  FastTables t{};
+FastSplineTables FastStorage<N>::tables() const {
+  FastSplineTables t{};
   for (std::size_t a = 0; a < N; ++a) {
     const FastAxisStorage& axis = axes[a];
     t.axis[a] = {axis.breaks.data(),      axis.origin.data(), axis.rate.data(),

@@ -41,7 +41,7 @@ struct FastStorage {
   std::vector<FastLane> coefficients;
   std::vector<double> bounds, inverse_weight;
 
-  FastTables tables() const;
+  FastSplineTables tables() const;
 };
 
 template <std::size_t N>

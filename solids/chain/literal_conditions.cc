@@ -73,7 +73,7 @@ Polynomial outward_form(const LiteralFacet& facet, const ExactPoint& b) {
 // What lies between patch and base is star-shaped around the centre b of the base: the patch nowhere turns its back,
 // neither along the base's normal nor seen from b, and nor does the wall below its boundary. So is the part in the
 // wedge, which is convex and contains b.
-bool is_star_shaped(const CellPart& part) {
+bool is_star_shaped(const LiteralCellPart& part) {
   const LiteralFacet& facet = part.cell->facet();
   const ExactPoint b = centre_of_base(facet);
   const Polynomial outward = outward_form(facet, b);
@@ -127,7 +127,7 @@ bool is_in_box(const Point3d& p, const Box3d& box) {
 }
 
 // In the interior of the part.
-bool is_inside(const CellPart& part, const ExactPoint& q) {
+bool is_inside(const LiteralCellPart& part, const ExactPoint& q) {
   const LiteralFacet& facet = part.cell->facet();
   if (facet.height(q).sign() == 0) return false;
   for (std::size_t k = 0; k < 3; ++k)
@@ -152,7 +152,7 @@ bool is_graph_of_polynomial(const LiteralFacet& facet) {
 
 }  // namespace
 
-PlaceAnswer is_connected(const CellPart& part) {
+PlaceAnswer is_connected(const LiteralCellPart& part) {
   const LiteralFacet& facet = part.cell->facet();
   const bool is_in_its_wedge = is_in_wedge(facet).decision == Decision::kHolds;
   if (part.is_all && (is_in_its_wedge || is_star_shaped(part))) return {};
@@ -166,7 +166,7 @@ PlaceAnswer is_connected(const CellPart& part) {
   return open;
 }
 
-PlaceAnswer is_on_one_side(const CellPart& part) {
+PlaceAnswer is_on_one_side(const LiteralCellPart& part) {
   const LiteralFacet& facet = part.cell->facet();
   if (is_graph_of_polynomial(facet)) return {};
   constexpr int kSteps = 4, kReach = 2;  // of barycentric coordinates
@@ -192,7 +192,7 @@ PlaceAnswer is_on_one_side(const CellPart& part) {
 // Two planes of sides and that of the base meet in a corner, on the patch. The planes of all three sides meet in one
 // point or none: a line in all of them would meet the plane of the base in a point of three lines that bound a
 // triangle, or be parallel to all of these.
-PlaceAnswer has_vertices_on_patch(const CellPart& part) {
+PlaceAnswer has_vertices_on_patch(const LiteralCellPart& part) {
   const LiteralFacet& facet = part.cell->facet();
   const auto& w = facet.walls;
   const ExactPoint w12 = cross(w[1], w[2]), w20 = cross(w[2], w[0]), w01 = cross(w[0], w[1]);
@@ -240,7 +240,7 @@ CellAnswers judge(const LiteralCell& cell) {
   for (std::size_t k = 0; !out.is_open && k < 2; ++k) {
     PartAnswers& answers = out.parts[k];
     if (!answers.is_there) continue;
-    const CellPart part{&cell, k == 1, !out.parts[1 - k].is_there};
+    const LiteralCellPart part{&cell, k == 1, !out.parts[1 - k].is_there};
     answers.connected = is_connected(part);
     answers.one_side = is_on_one_side(part);
     answers.vertices = has_vertices_on_patch(part);

@@ -9,15 +9,15 @@
 namespace veritope::internal {
 
 /// One side of the plane of the base.
-struct CellPart {
+struct LiteralCellPart {
   const LiteralCell* cell = nullptr;
   bool is_plus = true;
   bool is_all = true;  ///< the patch is nowhere on the other side
 };
 
-PlaceAnswer is_connected(const CellPart& part);
-PlaceAnswer is_on_one_side(const CellPart& part);
-PlaceAnswer has_vertices_on_patch(const CellPart& part);
+PlaceAnswer is_connected(const LiteralCellPart& part);
+PlaceAnswer is_on_one_side(const LiteralCellPart& part);
+PlaceAnswer has_vertices_on_patch(const LiteralCellPart& part);
 
 void judge_cells(const PatchComplex& complex, const std::vector<LiteralCell>& cells, unsigned jobs,
                  LiteralCells& out);

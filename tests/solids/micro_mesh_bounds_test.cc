@@ -21,7 +21,7 @@ namespace {
 using internal::CageCells;
 using internal::CageRow;
 using internal::CellMap;
-using internal::MapBounds;
+using internal::CellMapBounds;
 using internal::PatchBend;
 using internal::quad_gap;
 using Exact = std::array<Rational, 3>;
@@ -184,7 +184,7 @@ TEST(CageCells, EncloseValuesAndBoundDifferenceQuotients) {
     const Rational h = Rational(1) / Rational(64);
     Exact x;
     for (Rational& t : x) t = Rational(random.between(0, 62)) / Rational(64);
-    std::vector<MapBounds> bounds;
+    std::vector<CellMapBounds> bounds;
     Box3 value;
     {
       const ScopedUpward upward;
@@ -208,7 +208,7 @@ TEST(CageCells, EncloseValuesAndBoundDifferenceQuotients) {
       return in_cell(y);
     };
     for (std::size_t d = 0; d < bounds.size(); ++d) {
-      const MapBounds& bound = bounds[d];
+      const CellMapBounds& bound = bounds[d];
       for (std::size_t a = 0; a < 3; ++a)
         EXPECT_LE(64 * length_of(combined(moved(a, 1, a, 0), 1, p, -1, p, 0)),
                   bound.first[a] * (1 + 1e-12))

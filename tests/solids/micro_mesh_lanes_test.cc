@@ -18,7 +18,7 @@
 namespace veritope {
 namespace {
 
-using internal::MapBounds;
+using internal::CellMapBounds;
 using internal::PointColumns;
 using internal::PointTable;
 using internal::quad_gap;
@@ -123,7 +123,7 @@ TEST(MeshLanes, BoundsOfRoundedCellsAreThoseOfTheMap) {
     Random random(seed);
     const Cell cell(random);
     bool is_loose = false;
-    const MapBounds bounds = cell.cage.bounds(cell.rounded, is_loose);
+    const CellMapBounds bounds = cell.cage.bounds(cell.rounded, is_loose);
     const Rational h = Rational(1) / Rational(64);
     Exact x;
     for (Rational& t : x) t = Rational(random.between(0, 62)) / Rational(64);

@@ -45,7 +45,7 @@ DmsModel with_second_image(DmsModel model, const Rational& along) {
 }
 
 // PROVES DMS-2.W13
-void expect_overlap(const DmsModel& model, const std::optional<DmsOverlap>& overlap) {
+void expect_overlap(const DmsModel& model, const std::optional<DmsCoveredPlace>& overlap) {
   ASSERT_TRUE(overlap.has_value());
   DmsEvaluator evaluator(model);
   const auto place = evaluator.locate(overlap->at);

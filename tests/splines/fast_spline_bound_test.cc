@@ -146,7 +146,7 @@ TEST(FastSplineBound, TableHasTheDerivedBoundAndNotMuchMore) {
 TEST(FastSplineBound, QuotientsAreWithinTheirBoundsAtEveryCorner) {
   struct NoLanes {};
   Random random(9);
-  internal::FastTables tables{};
+  internal::FastSplineTables tables{};
   double inverse = 0, closest_value = 0, closest_slope = 0;
   tables.inverse_weight = &inverse;
   const auto exactly = [](double v) { return Rational::from_double(v); };

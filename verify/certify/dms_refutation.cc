@@ -314,7 +314,7 @@ std::optional<DmsRefutation> refutation_of(const PatchRefutation& refutation,
   return std::visit(SurfaceTranslation(pieces, evaluator), refutation);
 }
 
-DmsRefutation refutation_of(const DmsOverlap& overlap) {
+DmsRefutation refutation_of(const DmsCoveredPlace& overlap) {
   certificate::DmsCoveringLeaf proof;
   proof.tetrahedron = overlap.tetrahedron;
   for (std::size_t m = 0; m < 4; ++m) proof.corners[m] = proof_of(overlap.corners[m]);

@@ -48,7 +48,7 @@ std::optional<DmsRefutation> refutation_of(const PatchRefutation& refutation,
 /// REQUIRES degree 1, and positive determinants. @cost near-linear if few images are near each other
 std::optional<DmsRefutation> find_image_overlap(const DmsModel& model);
 
-DmsRefutation refutation_of(const DmsOverlap& overlap);
+DmsRefutation refutation_of(const DmsCoveredPlace& overlap);
 
 /// Whether the numbers of a body are as short as its page demands.
 bool has_short_numbers(const certificate::DmsInvalidBody& body);

@@ -67,7 +67,7 @@ class OverlapSearch {
         evaluator_(model),
         covering_(model, knots_, evaluator_) {}
 
-  std::optional<DmsOverlap> run() {
+  std::optional<DmsCoveredPlace> run() {
     for (std::uint32_t t = 0; t < model_.tetrahedra.size(); ++t) frames_.push_back(frame_of(t));
     each_ = std::clamp(options_.max_points / model_.tetrahedra.size(), std::size_t{1},
                        kMostOfTetrahedron);
@@ -203,7 +203,7 @@ class OverlapSearch {
     const auto place = evaluator_.locate(
         {Rational::from_double(v[0]), Rational::from_double(v[1]), Rational::from_double(v[2])});
     if (!place) return;
-    DmsOverlap out;
+    DmsCoveredPlace out;
     out.at = point_of(a.tetrahedron, a.shares, kShareBits);
     out.tetrahedron_of_point = a.tetrahedron;
     out.tetrahedron = place->tetrahedron;
@@ -222,7 +222,7 @@ class OverlapSearch {
     }
   }
   // A tetrahedron similar to the large one, around the place with these coordinates; false if it does not fit.
-  bool make_corners(int level, const Point3d& shares, DmsOverlap& out) const {
+  bool make_corners(int level, const Point3d& shares, DmsCoveredPlace& out) const {
     const int bits = level + kPlaceBits;
     std::array<Rational, 4> middle{Rational(1)};
     const Rational unit = Rational::power_of_two(-bits);
@@ -257,12 +257,13 @@ class OverlapSearch {
   std::vector<ImageSample> samples_;
   std::vector<SamplePair> pairs_;
   std::vector<Vec3d> points_;
-  std::optional<DmsOverlap> found_;
+  std::optional<DmsCoveredPlace> found_;
 };
 
 }  // namespace
 
-std::optional<DmsOverlap> find_overlap(const DmsModel& model, const OverlapSearchOptions& options) {
+std::optional<DmsCoveredPlace> find_overlap(const DmsModel& model,
+                                            const OverlapSearchOptions& options) {
   return OverlapSearch(model, options).run();
 }
 

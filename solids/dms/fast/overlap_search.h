@@ -13,7 +13,7 @@ namespace veritope {
 
 /// A point of the domain whose image is also that of a point inside of a small tetrahedron, in which it does not lie:
 /// DmsCovering says so.
-struct DmsOverlap {
+struct DmsCoveredPlace {
   DmsPoint at;
   std::uint32_t tetrahedron_of_point = 0;
   std::uint32_t tetrahedron = 0;  ///< of the domain, with the small one in it
@@ -34,7 +34,7 @@ struct OverlapSearchOptions {
 /// Without an answer places may be covered twice all the same; parts that overlap by less than the distance of samples
 /// are not found, nor are tetrahedra beyond the number of points sampled.
 /// REQUIRES what FastDms requires, and a map to space in the first three components.
-std::optional<DmsOverlap> find_overlap(const DmsModel& model,
-                                       const OverlapSearchOptions& options = {});
+std::optional<DmsCoveredPlace> find_overlap(const DmsModel& model,
+                                            const OverlapSearchOptions& options = {});
 
 }  // namespace veritope

@@ -11,7 +11,7 @@
 namespace veritope::internal {
 namespace {
 
-std::vector<HullPoint> hull_of(const EnclosedPatch& patch) {
+std::vector<HullPoint> hull_of(const EnclosedBezier& patch) {
   std::vector<HullPoint> out;
   for (const auto& p : patch.points) {
     if (patch.is_rational)
@@ -22,7 +22,7 @@ std::vector<HullPoint> hull_of(const EnclosedPatch& patch) {
   return out;
 }
 
-std::size_t longer_axis(const EnclosedPatch& patch, const std::vector<HullPoint>& hull) {
+std::size_t longer_axis(const EnclosedBezier& patch, const std::vector<HullPoint>& hull) {
   // The longest way between neighbours, times their number.
   std::array<double, 2> longest{};
   for (std::size_t n = 0; n < hull.size(); ++n) {
@@ -41,9 +41,9 @@ std::size_t longer_axis(const EnclosedPatch& patch, const std::vector<HullPoint>
 }
 
 // The halves along the axis, by the means of neighbours.
-std::pair<EnclosedPatch, EnclosedPatch> halves_of(const EnclosedPatch& patch, std::size_t axis) {
+std::pair<EnclosedBezier, EnclosedBezier> halves_of(const EnclosedBezier& patch, std::size_t axis) {
   static constexpr Interval kHalf(0.5);
-  EnclosedPatch first = patch, second = patch;
+  EnclosedBezier first = patch, second = patch;
   const std::size_t n = patch.grid.size[axis], other = 1 - axis;
   for (std::size_t line = 0; line < patch.grid.size[other]; ++line) {
     const auto place = [&](std::size_t i) {
@@ -80,8 +80,8 @@ double square_to_box(const Point3d& p, const Box3d& box) {
 
 }  // namespace
 
-EnclosedPatch enclosed(const BezierSurface<Rational>& patch) {
-  EnclosedPatch out{patch.grid(), patch.is_rational(), {}};
+EnclosedBezier enclosed(const BezierSurface<Rational>& patch) {
+  EnclosedBezier out{patch.grid(), patch.is_rational(), {}};
   out.points.resize(patch.grid().count());
   for (int c = 0; c < 3 + (patch.is_rational() ? 1 : 0); ++c) {
     const int from = c == 3 ? patch.num_components() - 1 : c;
@@ -107,7 +107,8 @@ std::span<const HullPoint> ContentSearch::hull(std::uint32_t part) const {
   return std::span(corners_).subspan(begin, ends_[part] - begin);
 }
 
-std::optional<std::uint32_t> ContentSearch::met_by(const EnclosedPatch& patch, int halvings) const {
+std::optional<std::uint32_t> ContentSearch::met_by(const EnclosedBezier& patch,
+                                                   int halvings) const {
   const ScopedUpward upward;
   const std::vector<HullPoint> points = hull_of(patch);
   const Box3d box = box_of_hull(points);
@@ -125,7 +126,7 @@ std::optional<std::uint32_t> ContentSearch::met_by(const EnclosedPatch& patch, i
   return met(patch, std::move(parts), halvings);
 }
 
-std::optional<std::uint32_t> ContentSearch::met(const EnclosedPatch& patch,
+std::optional<std::uint32_t> ContentSearch::met(const EnclosedBezier& patch,
                                                 std::vector<std::uint32_t> parts,
                                                 int halvings) const {
   if (parts.empty()) return std::nullopt;

@@ -17,12 +17,12 @@
 namespace veritope::internal {
 
 /// A Bezier patch whose homogeneous control points are enclosed.
-struct EnclosedPatch {
+struct EnclosedBezier {
   Grid<2> grid;
   bool is_rational = false;
   std::vector<std::array<Interval, 4>> points;
 };
-EnclosedPatch enclosed(const BezierSurface<Rational>& patch);
+EnclosedBezier enclosed(const BezierSurface<Rational>& patch);
 
 class ContentSearch {
  public:
@@ -30,13 +30,13 @@ class ContentSearch {
 
   /// Nothing only if the patch meets no hull of a part; else a part that it may meet. The patch is halved at most
   /// `halvings` times in a row. REQUIRES positive weights.
-  std::optional<std::uint32_t> met_by(const EnclosedPatch& patch, int halvings) const;
+  std::optional<std::uint32_t> met_by(const EnclosedBezier& patch, int halvings) const;
 
   /// A point of the content nearest to p, as a search finds it: on triangles, else among the corners of parts.
   Point3d approx_nearest(const Point3d& p) const;
 
  private:
-  std::optional<std::uint32_t> met(const EnclosedPatch& patch, std::vector<std::uint32_t> parts,
+  std::optional<std::uint32_t> met(const EnclosedBezier& patch, std::vector<std::uint32_t> parts,
                                    int halvings) const;
   std::span<const HullPoint> hull(std::uint32_t part) const;
 

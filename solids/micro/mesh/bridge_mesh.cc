@@ -12,7 +12,7 @@ namespace veritope::internal {
 namespace {
 
 constexpr int kBoundDepth = 2;
-// The pairs of axes of MapBounds::second.
+// The pairs of axes of CellMapBounds::second.
 constexpr std::array<std::array<std::size_t, 2>, 6> kBoundPairs = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
@@ -90,10 +90,10 @@ double BridgeMesh::approx_size() const {
 }
 
 // Upper bounds of derivatives by the volume's own parameters.
-MapBounds BridgeMesh::map_bounds() const {
-  MapBounds out;
+CellMapBounds BridgeMesh::map_bounds() const {
+  CellMapBounds out;
   for (const Part& part : parts_) {
-    const MapBounds b = part.map.bounds(kBoundDepth);
+    const CellMapBounds b = part.map.bounds(kBoundDepth);
     std::array<Interval, 3> length;
     for (std::size_t a = 0; a < 3; ++a) length[a] = enclose(part.box[a].width());
     for (std::size_t a = 0; a < 3; ++a)
@@ -133,7 +133,7 @@ std::array<Interval, 3> BridgeMesh::derivative_bounds(std::size_t axis, std::siz
 // the slope of its image jumps there by at most twice its greatest length, and interpolation on a part of length h is
 // off by a quarter of h times the jumps, of which there are at most as many at a plane as the degree of b.
 BridgeError BridgeMesh::error() const {
-  const MapBounds map = map_bounds();
+  const CellMapBounds map = map_bounds();
   BridgeError out;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto s = derivative_bounds(axis, 1), second = derivative_bounds(axis, 2);

@@ -41,7 +41,7 @@ class BridgeMesh {
     CellMap map;
   };
   void add_parts(const VVolume& volume, const MicroGrid& grid);
-  MapBounds map_bounds() const;
+  CellMapBounds map_bounds() const;
   std::array<Interval, 3> derivative_bounds(std::size_t axis, std::size_t order) const;
 
   BezierVolume<Rational> net_;

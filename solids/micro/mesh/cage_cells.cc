@@ -79,11 +79,11 @@ WideNet derivative_of(const WideNet& net, std::size_t components, std::size_t ax
       }
   return out;
 }
-// Pairs of axes, in the order of MapBounds.
+// Pairs of axes, in the order of CellMapBounds.
 constexpr std::array<std::array<std::size_t, 2>, 6> kAxisPairs = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 struct DerivativeLengths {
-  MapBounds most;
+  CellMapBounds most;
   double sum = 0, at_corners = 0;  // over all derivatives
 };
 DerivativeLengths derivative_lengths(const WideNet& net, std::size_t components) {
@@ -102,8 +102,8 @@ DerivativeLengths derivative_lengths(const WideNet& net, std::size_t components)
       keep(longest(derivative_of(first[a], components, b), components), out.most.second[k]);
   return out;
 }
-MapBounds no_bounds() {
-  MapBounds out;
+CellMapBounds no_bounds() {
+  CellMapBounds out;
   out.first.fill(kInfinite);
   out.second.fill(kInfinite);
   return out;
@@ -145,7 +145,7 @@ Box3 CellMap::value(const Box3& at) const {
   return out;
 }
 
-MapBounds CellMap::whole_bounds(bool& is_loose) const {
+CellMapBounds CellMap::whole_bounds(bool& is_loose) const {
   constexpr double kLoose = 1.25, kUneven = 1.125;
   WideNet points{size_, std::vector<Interval>(4 * num_points())}, weights = points;
   for (std::size_t n = 0; n < num_points(); ++n)
@@ -172,11 +172,11 @@ MapBounds CellMap::whole_bounds(bool& is_loose) const {
     return q.is_empty() || !(q.hi() < kInfinite) ? kInfinite : q.hi();
   };
   const DerivativeLengths lengths = derivative_lengths(points, 3);
-  const MapBounds &above = lengths.most, below = derivative_lengths(weights, 1).most;
+  const CellMapBounds &above = lengths.most, below = derivative_lengths(weights, 1).most;
   is_loose = lengths.sum > kLoose * lengths.at_corners || weight.hi() > kUneven * weight.lo();
   for (const double x : above.first)
     if (x == kInfinite) return no_bounds();
-  MapBounds out;
+  CellMapBounds out;
   const double radius = quotient(bound(longest(points, 3).most));
   for (std::size_t a = 0; a < 3; ++a)
     out.first[a] = quotient(bound(above.first[a]) + bound(radius) * bound(below.first[a]));
@@ -204,15 +204,15 @@ void CellMap::halve(std::size_t axis, bool keeps_upper) {
     }
 }
 
-MapBounds CellMap::bounds(int depth) const {
+CellMapBounds CellMap::bounds(int depth) const {
   bool is_loose = false;
-  const MapBounds whole = whole_bounds(is_loose);
+  const CellMapBounds whole = whole_bounds(is_loose);
   if (depth == 0 || !is_loose) return whole;
-  MapBounds out;
+  CellMapBounds out;
   for (unsigned part = 0; part < 8; ++part) {
     CellMap half = *this;
     for (std::size_t a = 0; a < 3; ++a) half.halve(a, (part >> a & 1) != 0);
-    const MapBounds b = half.bounds(depth - 1);
+    const CellMapBounds b = half.bounds(depth - 1);
     // In the parameters of the whole cell; twice and four times a number are exact, or infinite.
     for (std::size_t a = 0; a < 3; ++a) out.first[a] = std::max(out.first[a], 2 * b.first[a]);
     for (std::size_t k = 0; k < 6; ++k) out.second[k] = std::max(out.second[k], 4 * b.second[k]);

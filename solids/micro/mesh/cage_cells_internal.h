@@ -12,7 +12,7 @@
 namespace veritope::internal {
 
 /// Upper bounds over the unit cube: lengths of the first and second partial derivatives of a map.
-struct MapBounds {
+struct CellMapBounds {
   std::array<double, 3> first{};
   std::array<double, 6> second{};  ///< 00, 11, 22, 01, 02, 12
 };
@@ -28,9 +28,9 @@ class CellMap {
   /// Polynomial maps: from differences of coefficients. Rational maps: by the quotient rule, with the middle of the
   /// cell as the origin. Where the bounds are loose, the cell is halved along all axes, at most `depth` times.
   /// Infinite if the coefficients are not finite, or the weights not proved positive.
-  MapBounds bounds(int depth) const;
+  CellMapBounds bounds(int depth) const;
   /// bounds(0). `is_loose`: a depth of 1 may give better ones.
-  MapBounds whole_bounds(bool& is_loose) const;
+  CellMapBounds whole_bounds(bool& is_loose) const;
 
  private:
   friend class CageCells;

@@ -60,13 +60,13 @@ const CellMap& CellOnCage::interval_map() {
   return *interval_cell_;
 }
 
-MapBounds CellOnCage::bounds(bool& is_loose) {
+CellMapBounds CellOnCage::bounds(bool& is_loose) {
   if (map_.rounded_.has_value()) return map_.rounded_->bounds(rounded_, is_loose);
   const ScopedUpward upward;
   return interval_map().whole_bounds(is_loose);
 }
 
-MapBounds CellOnCage::refined_bounds(int depth) {
+CellMapBounds CellOnCage::refined_bounds(int depth) {
   const ScopedUpward upward;
   return interval_map().bounds(depth);
 }

@@ -40,8 +40,8 @@ class CellOnCage {
   void enter_cell(std::size_t k);
 
   /// `is_loose`: refined_bounds may be better.
-  MapBounds bounds(bool& is_loose);
-  MapBounds refined_bounds(int depth);
+  CellMapBounds bounds(bool& is_loose);
+  CellMapBounds refined_bounds(int depth);
   /// Vertices begin, ..., end - 1 of the mesh are the first points of the result. Rounding that GridMap::rounding_of
   /// does not know goes to `rounding`.
   const PointColumns& place(const TileMesh& mesh, std::uint32_t begin, std::uint32_t end,

@@ -29,13 +29,13 @@ namespace {
 
 using internal::BridgeSurfaces;
 using internal::CapLinks;
+using internal::CellMapBounds;
 using internal::CellOnCage;
 using internal::CellPlan;
 using internal::CellPlans;
 using internal::Greatest;
 using internal::GridMap;
 using internal::LinkedCell;
-using internal::MapBounds;
 using internal::PartNumbers;
 using internal::PatchBend;
 using internal::PatchError;
@@ -56,12 +56,12 @@ struct KindBounds {
   std::array<Greatest, 6> second;
   Greatest is_loose;  // 1 if better ones may be had
 
-  void reach(const MapBounds& b) {
+  void reach(const CellMapBounds& b) {
     for (std::size_t a = 0; a < first.size(); ++a) first[a].reach(b.first[a]);
     for (std::size_t k = 0; k < second.size(); ++k) second[k].reach(b.second[k]);
   }
-  MapBounds value() const {
-    MapBounds out;
+  CellMapBounds value() const {
+    CellMapBounds out;
     for (std::size_t a = 0; a < first.size(); ++a) out.first[a] = first[a].value();
     for (std::size_t k = 0; k < second.size(); ++k) out.second[k] = second[k].value();
     return out;
@@ -221,7 +221,7 @@ class MicroMesher {
     const AnalysedTile& tile = tile_of(kind);
     const auto& patches = patch_bends_[links_.kinds[kind].tile];
     const auto range = numbers_of_kind(kind);
-    const MapBounds map = bounds.value();
+    const CellMapBounds map = bounds.value();
     double most = 0;
     for (std::size_t p = 0; p < patches.size(); ++p) {
       const std::uint32_t cap = tile.cap_of_patch[p];

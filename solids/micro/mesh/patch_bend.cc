@@ -40,7 +40,7 @@ std::array<Interval, 3> PatchBend::bounds_of(const Derivative& d, const Interval
           Interval::from_bounds(0, most[2])};
 }
 
-std::array<double, 2> PatchBend::of(const MapBounds& map, const Interval& t) const {
+std::array<double, 2> PatchBend::of(const CellMapBounds& map, const Interval& t) const {
   const auto bound = [](double x) { return Interval::from_bounds(0, x); };
   const Interval two(2.0), eighth(0.125);
   std::array<double, 2> out;

@@ -20,7 +20,7 @@ class PatchBend {
 
   /// Upper bounds of an eighth of the lengths of the second derivatives, along u and along v, of a map after the patch
   /// whose wall has a parameter in t: S -> T(S) has T_ab S_a S_b + T_a S'_a, summed over the axes a, b.
-  std::array<double, 2> of(const MapBounds& map, const Interval& t) const;
+  std::array<double, 2> of(const CellMapBounds& map, const Interval& t) const;
 
  private:
   // Bernstein coefficients of a derivative: for each of them, those of 1, t, t^2, ...

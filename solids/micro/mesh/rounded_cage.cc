@@ -139,11 +139,11 @@ void RoundedCage::cell(const std::vector<double>& row, std::size_t k, RoundedCel
   }
 }
 
-MapBounds RoundedCage::bounds(const RoundedCell& cell, bool& is_loose) const {
+CellMapBounds RoundedCage::bounds(const RoundedCell& cell, bool& is_loose) const {
   constexpr double kLoose = 1.25;
   constexpr std::array<std::array<std::size_t, 2>, 6> kPairs = {
       {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
-  MapBounds out;
+  CellMapBounds out;
   double sum = 0, at_corners = 0;
   const auto keep = [&](const Differences& d, double factor, double errors, double& bound) {
     if (factor == 0 && coefficient_error_ <= std::numeric_limits<double>::max()) return;

@@ -33,7 +33,7 @@ class RoundedCage {
   void cell(const std::vector<double>& row, std::size_t k, RoundedCell& out) const;
 
   /// Bounds as those of CellMap::bounds(0). `is_loose`: halving the cell may give better ones.
-  MapBounds bounds(const RoundedCell& cell, bool& is_loose) const;
+  CellMapBounds bounds(const RoundedCell& cell, bool& is_loose) const;
 
  private:
   // Takes control points first, ..., first + degree to the coefficients on an interval: row by row.

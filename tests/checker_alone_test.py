@@ -49,21 +49,6 @@ def table_of_lines():
     return ["| " + " | ".join(map(str, [*row, sum(row[1:])])) + " |" for row in rows]
 
 
-def types_that_files_share(folder):
-    """{name: [file, ...]} of the types that are defined in a header, or in a file outside of a namespace without a name."""
-    found = collections.defaultdict(list)
-    for path in sorted(folder.rglob("*")):
-        if path.suffix not in LANGUAGES["C++"]:
-            continue
-        is_hidden = False
-        for line in path.read_text().splitlines():
-            is_hidden = line.startswith("namespace {") or is_hidden and not line.startswith("}  // namespace")
-            named = re.match(r"(?:template <[^>]*> *)?(?:struct|class|union|enum(?: class)?) (\w+)[^;]*\{", line)
-            if named and not is_hidden:
-                found[named[1]].append(str(path))
-    return found
-
-
 class Alone(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -149,18 +134,6 @@ class CheckerAlone(Alone):
                     continue  # what kind of file a name is of: docs/design/0020-one-front-door.md
                 else:
                     self.assertRegex(header, r"^[a-z_0-9]+$", f"{path.name}: {header} is no header of the C++ library")
-
-    def test_no_two_types_that_several_files_see_have_one_name(self):
-        """Two classes of one name that no file sees together compile, and the linker takes one of std::vector's functions for both.
-        A fuzzer found two such pairs; every test had passed."""
-        places = types_that_files_share(CHECKER)
-        self.assertGreater(len(places), 60)
-        self.assertEqual({name: files for name, files in places.items() if len(files) > 1}, {})
-        with tempfile.TemporaryDirectory() as folder:
-            one, two = pathlib.Path(folder, "one.h"), pathlib.Path(folder, "two.cc")
-            one.write_text("struct Node {\n  int level;\n};\nstruct Later;\n")
-            two.write_text("namespace {\nstruct Hidden {\n};\n}  // namespace\nstruct Later {\n};\ntemplate <int L>\nstruct Node : Hidden {\n};\n")
-            self.assertEqual({name: len(files) for name, files in types_that_files_share(pathlib.Path(folder)).items()}, {"Node": 2, "Later": 1})
 
     def test_it_is_short_enough_to_read(self):
         for path in [*CHECKER.rglob("*.h"), *CHECKER.rglob("*.cc")]:

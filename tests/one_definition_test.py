@@ -8,12 +8,12 @@ import pathlib
 import re
 import unittest
 
-from infra import comments
-
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDERS = ("robust", "splines", "interval", "predicates", "topology", "solids", "models", "io", "verify", "render",
            "named_predicates", "hard_models", "report", "cli", "interop")
 
+# A namespace with one declaration has no comment at its end.
+DECLARES = re.compile(r"(?m)^namespace(?: [\w:]+)? \{[^{}]*\}$")
 OPEN = re.compile(r"(?:inline )?namespace(?: ([\w:]+))? \{")
 CLOSE = re.compile(r"\}  // namespace")
 # clang-format puts what a namespace declares at the beginning of a line. Specializations have < after the name.
@@ -25,18 +25,16 @@ def definitions(text):
     """(name with its namespaces, line) of the types that a file defines. Those of unnamed namespaces are left out, and
     aliases, which make nothing that is linked."""
     scope = []
-    for number, line in enumerate(comments_cut(text).splitlines(), 1):
+    text = DECLARES.sub(lambda match: "\n" * match[0].count("\n"), text)
+    for number, line in enumerate(text.splitlines(), 1):
         if opened := OPEN.match(line):
             scope.append(opened[1])
         elif CLOSE.match(line):
             scope.pop()
         elif None not in scope and (found := TYPE.match(line)):
             yield "::".join([*scope, found[1]]), number
-
-
-def comments_cut(text):
-    """The code, with the comments that say where namespaces end."""
-    return comments.split_cpp(CLOSE.sub("};@", text))[0].replace("};@", "}  // namespace")
+    if scope:
+        raise ValueError(f"a namespace does not end with a comment: {scope}")
 
 
 def defined_twice(files):
@@ -62,7 +60,8 @@ class OneDefinition(unittest.TestCase):
 
         one = "g.h", "\nnamespace a {\nstruct X {\n  int y;\n};\n}  // namespace a\n"
         self.assertEqual(defined_twice([one, file("class X final : public Y {")]), {"a::X": ["g.h:3", "f.cc:2"]})
-        for other in (file("enum class X : int { p, q };"), file("template <int N>\nstruct X : Y<N> {"),
+        declared = "f.cc", "namespace a {\nclass Y;\n}\nnamespace a {\nstruct X {\n};\n}  // namespace a\n"
+        for other in (declared, file("enum class X : int { p, q };"), file("template <int N>\nstruct X : Y<N> {"),
                       file("template <int N> struct X {"), file("union X {")):
             with self.subTest(other=other):
                 self.assertEqual(list(defined_twice([one, other])), ["a::X"])
@@ -70,6 +69,8 @@ class OneDefinition(unittest.TestCase):
                       file("struct X<int> {"), file("// struct X {"), file("using X = int;"), file("struct XY {")):
             with self.subTest(other=other):
                 self.assertEqual(defined_twice([one, other]), {})
+        with self.assertRaises(ValueError):
+            list(definitions("namespace a {\nstruct X {\n};\n}\n"))
 
 
 if __name__ == "__main__":

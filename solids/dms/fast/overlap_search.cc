@@ -38,6 +38,12 @@ double greatest_of(const Point3d& v) {
   return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
+// The greatest of several numbers says nothing of a NaN among them, and a norm may overflow.
+template <std::size_t N>
+bool are_finite(const std::array<double, N>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
 struct ImageSample {
   std::uint32_t tetrahedron = 0;
   std::array<int, 4> shares{};  // barycentric coordinates, times 2^kShareBits
@@ -138,9 +144,7 @@ class OverlapSearch {
     for (std::size_t i = 0; i < made.size(); ++i) {
       made[i].image = sampled_.image(i);
       made[i].derivative = sampled_.derivative(i);
-      if (std::isfinite(greatest_of(made[i].image)) &&
-          std::isfinite(internal::norm_of(made[i].derivative)))
-        samples_.push_back(made[i]);
+      if (are_finite(made[i].image) && are_finite(made[i].derivative)) samples_.push_back(made[i]);
     }
   }
   // Around the image of what is nearer to this sample than to most others.
